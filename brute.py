@@ -17,9 +17,13 @@ with solution.py, neither code nor idea, so that the two can check each other.
 """
 
 import sys
+from collections.abc import Iterator
+
+Point = tuple[int, int]
+Segment = tuple[int, int, int, int]  # an end point, and the way to the other: x, y, ux, uy
 
 
-def main():
+def main() -> None:
     numbers = map(int, sys.stdin.buffer.read().split())
     answers = []
     for _ in range(next(numbers)):
@@ -31,12 +35,12 @@ def main():
     print("\n".join(answers))
 
 
-def read_polygon(numbers, n):
+def read_polygon(numbers: Iterator[int], n: int) -> list[Point]:
     """Return the next n points (x, y) of the stream."""
     return [(next(numbers), next(numbers)) for _ in range(n)]
 
 
-def collide(robot, obstacle, dx, dy):
+def collide(robot: list[Point], obstacle: list[Point], dx: int, dy: int) -> bool:
     """Does the robot, moving by (dx, dy), ever touch the obstacle?"""
     goal = [(x + dx, y + dy) for x, y in robot]
     return (
@@ -49,21 +53,21 @@ def collide(robot, obstacle, dx, dy):
     )
 
 
-def edges(polygon):
-    """Return the edges as segments (x, y, ux, uy): an end point, and the way to the other."""
+def edges(polygon: list[Point]) -> list[Segment]:
+    """Return the edges, counter-clockwise."""
     return [
         (x, y, next_x - x, next_y - y)
         for (x, y), (next_x, next_y) in zip(polygon, polygon[1:] + polygon[:1])
     ]
 
 
-def contains(polygon, point):
+def contains(polygon: list[Point], point: Point) -> bool:
     """Is the point inside the counter-clockwise polygon, or on its boundary?"""
     px, py = point
     return all(ux * (py - y) - uy * (px - x) >= 0 for x, y, ux, uy in edges(polygon))
 
 
-def some_meet(first, second):
+def some_meet(first: list[Segment], second: list[Segment]) -> bool:
     """Does any segment of one list share a point with any of the other?
 
     Two segments cross if each has its ends on different sides of the other's line,
@@ -86,7 +90,7 @@ def some_meet(first, second):
     return False
 
 
-def ranges_meet(a, u, c, v):
+def ranges_meet(a: int, u: int, c: int, v: int) -> bool:
     """Do the closed ranges from a to a + u and from c to c + v share a number?"""
     return min(a, a + u) <= max(c, c + v) and min(c, c + v) <= max(a, a + u)
 

@@ -1,0 +1,223 @@
+#!/usr/bin/env python3
+"""Collision Course, the reference solution: exact, standard library only.
+
+The lesson (submissions/accepted/textbook.py spells it out): all that the robot
+ever covers, the sweep S, is convex, and an obstacle Q touches it if and only if
+the origin is in the Minkowski sum  Q + (-S),  boundary included. Walking all of
+that sum for every obstacle costs O(k * m). Here, only the part of its boundary
+that lies above or below the origin is looked for, by binary search.
+
+Seen from below, a convex polygon is its *floor*: the chain of vertices from the
+leftmost to the rightmost, with growing slopes. The floor of a sum is the two
+floors merged by slope. So the edge of it that spans x = 0 is found without
+merging: bisect the floor of Q; at each vertex q that is tried, the edge of -S
+at x = -q.x is found by bisecting its x, and which of the two edges comes first
+in the merge tells on which side of q to go on. What remains is one edge of Q,
+and the vertex of -S that it is merged at: a bisection of the slopes.
+
+The ceiling of a polygon is the floor of its reflection in the origin, so one
+set of functions does for both.
+
+Time: O(m + n1 + n2 + ...) plain list copies, made by slicing, and per obstacle
+of n vertices O(log n * log m) steps that are really computed. Memory: O(M + N).
+No sort: floors are found by rotating the given counter-clockwise order.
+"""
+
+import sys
+from bisect import bisect_left
+
+# Slopes dy / dx are compared as floor(dy * 2**56 / dx). Two different slopes have
+# different keys: with |dx| <= 2 * 10**8 they are 1 / (4 * 10**16) > 2**-56 apart.
+SLOPE_BITS = 56
+
+
+def main() -> None:
+    numbers = list(map(int, sys.stdin.buffer.read().split()))
+    answers = []
+    at = 1
+    for _ in range(numbers[0]):
+        m, k, dx, dy = numbers[at : at + 4]
+        at += 4
+        end = at + 2 * m
+        touches = Sweep(numbers[at:end:2], numbers[at + 1 : end : 2], dx, dy, k).touches
+        at = end
+        answer = "YES"
+        for _ in range(k):
+            end = at + 1 + 2 * numbers[at]
+            # After the first collision, the other obstacles are only skipped.
+            if answer == "YES" and touches(numbers[at + 1 : end : 2], numbers[at + 2 : end : 2]):
+                answer = "NO"
+            at = end
+        answers.append(answer)
+    print("\n".join(answers))
+
+
+class Sweep:
+    """All points that a robot (xs, ys) covers while it moves by (dx, dy)."""
+
+    def __init__(self, xs: list[int], ys: list[int], dx: int, dy: int, k: int) -> None:
+        """k: how many obstacles will be asked about."""
+        self.floor = sweep_floor(xs, ys, dx, dy)
+        self.mirror_floor = sweep_floor(negated(xs), negated(ys), -dx, -dy)
+        for floor in (self.floor, self.mirror_floor):
+            if 16 * k > len(floor.xs):  # enough questions to be asked to pay for it
+                floor.compute_slopes()
+        self.left = self.floor.xs[0]
+        self.right = self.floor.xs[-1]
+        self.low = self.floor.ys[0]
+        self.rise = self.floor.ys[-1] - self.low
+
+    def touches(self, xs: list[int], ys: list[int]) -> bool:
+        """Does the obstacle (xs, ys) share a point with the sweep? May change the lists."""
+        left = min(xs)
+        right = max(xs)
+        if right < self.left or left > self.right:
+            return False
+        x = xs[0]
+        if self.left <= x <= self.right:
+            # Over the chord of the sweep's floor, the vertex is not below the sweep, so
+            # the obstacle is clear only if it lies above; and under it, only if below.
+            over = (ys[0] - self.low) * (self.right - self.left) > self.rise * (x - self.left)
+            if over:
+                return not sum_is_above_origin(self.mirror_floor, xs, ys, left, right)
+            return not sum_is_above_origin(self.floor, negated(xs), negated(ys), -right, -left)
+        mirror_xs, mirror_ys = negated(xs), negated(ys)
+        return not (
+            sum_is_above_origin(self.mirror_floor, xs, ys, left, right)
+            or sum_is_above_origin(self.floor, mirror_xs, mirror_ys, -right, -left)
+        )
+
+
+def sum_is_above_origin(
+    floor: "Floor", xs: list[int], ys: list[int], left: int, right: int
+) -> bool:
+    """Does the sum of two convex polygons lie strictly above the origin?
+
+    One polygon is given by its floor; the other by its vertices, counter-clockwise,
+    and its least and greatest x. Their sum must have a point with x = 0.
+    The lists xs and ys are changed.
+    """
+    low, high = floor_range(xs, left, right)
+    ys += ys
+    floor_xs, floor_ys = floor.xs, floor.ys
+
+    # The edge of the sum's floor at x = 0 belongs between the vertices low and high.
+    while high - low > 1:
+        middle = (low + high) // 2
+        x, y = xs[middle], ys[middle]
+        i = bisect_left(floor_xs, -x)
+        if i == 0:
+            high = middle
+        elif i == len(floor_xs):
+            low = middle
+        else:
+            fx, fy = floor_xs[i - 1], floor_ys[i - 1]
+            ux, uy = floor_xs[i] - fx, floor_ys[i] - fy
+            if (ys[middle + 1] - y) * ux < uy * (xs[middle + 1] - x):
+                low = middle
+            elif (y - ys[middle - 1]) * ux > uy * (x - xs[middle - 1]):
+                high = middle
+            else:  # it is this edge (ux, uy), moved by this vertex
+                return (y + fy) * ux > uy * (x + fx)
+
+    # Only the edge from low to high is left: where does it go in the merge?
+    x, y = xs[low], ys[low]
+    ux, uy = xs[high] - x, ys[high] - y
+    i = bisect_left(floor.slopes, (uy << SLOPE_BITS) // ux)
+    fx = floor_xs[i]
+    if -x < fx:  # behind the origin: an edge of the floor, moved by low, is above it
+        pass
+    elif -xs[high] > fx:  # before the origin: the same with high
+        x, y = xs[high], ys[high]
+    else:
+        return (y + floor_ys[i]) * ux > uy * (x + fx)
+    i = bisect_left(floor_xs, -x, 1)
+    fx, fy = floor_xs[i - 1], floor_ys[i - 1]
+    return (y + fy) * (floor_xs[i] - fx) > (floor_ys[i] - fy) * (x + fx)
+
+
+class Floor:
+    """The lower chain of a convex polygon: growing xs, growing slopes.
+
+    `slopes` holds the slope keys of the edges, each computed when it is looked at.
+    """
+
+    def __init__(self, xs: list[int], ys: list[int]) -> None:
+        self.xs = xs
+        self.ys = ys
+        self.slopes: LazySlopes | list[int] = LazySlopes(xs, ys)
+
+    def compute_slopes(self) -> None:
+        """Compute all slopes now: worth it before many searches."""
+        xs, ys = self.xs, self.ys
+        self.slopes = [
+            (next_y - y << SLOPE_BITS) // (next_x - x)
+            for x, y, next_x, next_y in zip(xs, ys, xs[1:], ys[1:])
+        ]
+
+
+class LazySlopes:
+    """A sequence of the slope keys of a chain's edges, each computed when asked for."""
+
+    def __init__(self, xs: list[int], ys: list[int]) -> None:
+        self.xs = xs
+        self.ys = ys
+
+    def __len__(self) -> int:
+        return len(self.xs) - 1
+
+    def __getitem__(self, i: int) -> int:
+        xs, ys = self.xs, self.ys
+        return (ys[i + 1] - ys[i] << SLOPE_BITS) // (xs[i + 1] - xs[i])
+
+
+def sweep_floor(xs: list[int], ys: list[int], dx: int, dy: int) -> Floor:
+    """Return the floor of all that the counter-clockwise polygon covers on its move."""
+    doubled = xs[:]
+    low, high = floor_range(doubled, min(xs), max(xs))
+    xs = doubled[low : high + 1]
+    ys = (ys + ys)[low : high + 1]
+    if dx == 0:
+        return Floor(xs, [y + dy for y in ys] if dy < 0 else ys)
+    # The move is one more edge, put in where its slope belongs: what is to the right
+    # of it is taken at the end of the move, or, if the robot moves left, at the start.
+    cut = bisect_left(LazySlopes(xs, ys), (dy << SLOPE_BITS) // dx)
+    after = cut
+    if cut + 1 < len(xs):
+        ux, uy = xs[cut + 1] - xs[cut], ys[cut + 1] - ys[cut]
+        if ux * dy == uy * dx:  # the two edges become one
+            after += 1
+    if dx > 0:
+        return Floor(
+            xs[: cut + 1] + [x + dx for x in xs[after:]],
+            ys[: cut + 1] + [y + dy for y in ys[after:]],
+        )
+    return Floor(
+        [x + dx for x in xs[: cut + 1]] + xs[after:],
+        [y + dy for y in ys[: cut + 1]] + ys[after:],
+    )
+
+
+def floor_range(xs: list[int], left: int, right: int) -> tuple[int, int]:
+    """Return the indices of the floor's first and last vertex, after doubling xs.
+
+    The polygon is counter-clockwise, its least and greatest x are given. Doubled,
+    the list holds the floor in one piece.
+    """
+    low = xs.index(left)
+    high = xs.index(right)
+    n = len(xs)
+    xs += xs
+    if xs[low + 1] == left:  # a vertical edge leads down to the floor
+        low += 1
+    if xs[high - 1] == right:  # a vertical edge leads up from it (high may become -1)
+        high -= 1
+    return low, high if high > low else high + n
+
+
+def negated(numbers: list[int]) -> list[int]:
+    return [-number for number in numbers]
+
+
+if __name__ == "__main__":
+    main()
