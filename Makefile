@@ -1,0 +1,52 @@
+# One-line aliases. `make` alone lists them; every command also works without make.
+
+PYTHON ?= python3
+SUBMISSION ?= solution.py
+GROUP ?= small
+SEED ?= 1
+RUN := .venv/bin/python
+
+.DEFAULT_GOAL := help
+.PHONY: help setup data judge test case figures stress check lint format types clean
+
+help: ## list these commands
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | column -t -s '|' 2>/dev/null \
+	  || grep '^[a-z]*:.*## ' $(MAKEFILE_LIST)
+
+setup: .venv/.ready ## make the environment .venv (the other commands do it by themselves)
+
+.venv/.ready: pyproject.toml tools/setup.py
+	@$(PYTHON) tools/setup.py
+
+data: setup ## build the test data: what is missing or out of date
+	@$(RUN) -m gen build
+
+judge: data ## judge a program on all test cases: make judge [SUBMISSION=my.cpp]
+	@$(RUN) checker.py $(SUBMISSION)
+
+test: data ## run the tests
+	@$(RUN) -m pytest -n auto
+
+case: setup ## add a test case: make case FAMILY=near_miss [SEED=7] [GROUP=small] [ARGS="--set n=9"]
+	@$(RUN) -m gen case $(FAMILY) --seed $(SEED) --group $(GROUP) $(ARGS)
+
+figures: setup ## draw the figures of the statement again
+	@$(RUN) -m pictures figures
+
+stress: setup ## solvers against each other: 10^6 random scenarios and a complete small world
+	@$(RUN) -m stress all
+
+check: setup ## validate every file of the data, and its sums
+	@$(RUN) -m gen check
+
+lint: setup ## look for mistakes and bad style
+	@$(RUN) -m ruff check && $(RUN) -m ruff format --check
+
+format: setup ## lay out the code
+	@$(RUN) -m ruff format
+
+types: setup ## check the types
+	@$(RUN) -m mypy
+
+clean: ## delete what can be made again: environment, rebuilt data, caches
+	@rm -rf .venv build data/secret/large data/secret/many .pytest_cache .mypy_cache .ruff_cache .hypothesis
