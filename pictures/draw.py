@@ -46,8 +46,7 @@ def picture(scenarios: Sequence[Scenario], captions: Sequence[str]) -> str:
         )
         drawing.append(group)
         left += panel.width
-    svg = drawing.as_svg()
-    assert svg is not None
+    svg: str = drawing.as_svg()
     return svg + "\n"
 
 
