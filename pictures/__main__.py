@@ -69,10 +69,8 @@ def draw_figures(*, check: bool) -> int:
 
 def show_scenario(file: Path, number: int) -> int:
     """Print one scenario's picture. Return the exit status."""
-    chosen = (
-        next(itertools.islice(read_scenarios(file), number - 1, None), None) if number else None
-    )
-    if chosen is None:
+    chosen = next(itertools.islice(read_scenarios(file), max(number - 1, 0), None), None)
+    if chosen is None or number < 1:
         raise ReadError(f"{file}: there is no scenario {number}")
     print(picture([chosen], [f"{file.name}, scenario {number}"]), end="")
     return 0
