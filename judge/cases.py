@@ -1,0 +1,95 @@
+"""Test cases: pairs of an input and an answer file, found in a directory and put in order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from pathlib import Path
+
+from judge.spec import ROOT, Problem, did_you_mean
+
+DATA = ROOT / "data"
+REBUILD = "run 'make data'"
+
+
+class CasesError(Exception):
+    """The test cases cannot be used; one clear line."""
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """One test case. name: its path below the data directory without ending, `secret/large/03`."""
+
+    name: str
+    group: str
+    input: Path
+    answer: Path
+
+
+def find_cases(directory: Path, problem: Problem) -> list[Case]:
+    """Return every case below `directory`: by group as declared, then by name.
+
+    `sample/…` and `secret/<group>/…` belong to the declared groups; what stands
+    elsewhere forms a group named by its directory (`.` for the top), after those.
+    `invalid_input` holds no cases. Raises CasesError for half a pair, an empty answer
+    file, or no case at all. O(files).
+    """
+    if not directory.is_dir():
+        what = "not a directory" if directory.exists() else "no such directory"
+        raise CasesError(f"{directory}: {what}")
+    cases = []
+    for input_path in sorted(directory.rglob("*.in")):
+        name = input_path.relative_to(directory).with_suffix("").as_posix()
+        if name.startswith("invalid_input/"):
+            continue
+        answer = input_path.with_suffix(".ans")
+        if not answer.is_file():
+            raise CasesError(f"{answer}: the answer file of this test case is missing")
+        cases.append(Case(name, _group_of(name), input_path, answer))
+    for answer in sorted(directory.rglob("*.ans")):
+        if not answer.with_suffix(".in").is_file():
+            raise CasesError(f"{answer.with_suffix('.in')}: the input file of this case is missing")
+    if not cases:
+        raise CasesError(f"{directory}: expected pairs of .in and .ans files, found none")
+    order = problem.group_names
+    return sorted(
+        cases,
+        key=lambda c: (order.index(c.group) if c.group in order else len(order), c.group, c.name),
+    )
+
+
+def check_built(cases: Iterable[Case], groups: Iterable[str], directory: Path) -> None:
+    """Raise CasesError unless each of `groups` has a case: large files are built, not committed."""
+    present = {case.group for case in cases}
+    for group in groups:
+        if group not in present:
+            below = "sample" if group == "sample" else f"secret/{group}"
+            raise CasesError(f"{directory / below}: no test cases here yet; {REBUILD}")
+
+
+def select(cases: Sequence[Case], groups: Sequence[str], globs: Sequence[str]) -> list[Case]:
+    """Return the cases of any of `groups` whose name matches any of `globs`; empty means all.
+
+    A glob matches the whole name or its last parts (`03-*`, `large/*`). Raises
+    CasesError for a group that no case has and for globs that match nothing.
+    """
+    known = sorted({case.group for case in cases})
+    for group in groups:
+        if group not in known:
+            near = did_you_mean(group, known)
+            raise CasesError(f"no group {group!r}{near}; expected one of {', '.join(known)}")
+    chosen = [case for case in cases if not groups or case.group in groups]
+    for glob in globs:
+        if not any(_matches(case.name, glob) for case in chosen):
+            raise CasesError(f"no test case matches {glob!r} (they look like {chosen[0].name!r})")
+    return [c for c in chosen if not globs or any(_matches(c.name, glob) for glob in globs)]
+
+
+def _group_of(name: str) -> str:
+    parent, _, _ = name.rpartition("/")
+    return parent.removeprefix("secret/") or "."
+
+
+def _matches(name: str, glob: str) -> bool:
+    return fnmatchcase(name, glob) or fnmatchcase(name, f"*/{glob}")

@@ -1,0 +1,139 @@
+"""The command line of checker.py: what is asked for, and the exit status."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from rich.console import Console
+
+from judge.cases import DATA, CasesError
+from judge.judging import JudgeError, Options, default_jobs, judge
+from judge.languages import LanguageError, by_name
+from judge.report import Live, print_report
+from judge.sandbox import SandboxError
+from judge.schema import write_json
+from judge.spec import SpecError, load
+from judge.submission import Submission, SubmissionError, from_source, read_submission
+from judge.verdict import Verdict
+
+EXIT_ACCEPTED, EXIT_REJECTED, EXIT_ERROR, EXIT_INTERRUPTED = 0, 1, 2, 130
+
+USAGE_ERRORS = (SpecError, SubmissionError, LanguageError, CasesError, JudgeError, SandboxError)
+
+EXAMPLES = """\
+examples:
+  ./checker.py submissions/accepted/textbook.py
+  ./checker.py my.cpp --group small --group large
+  ./checker.py my.py --case 'static/03-*' --time-limit 10
+  ./checker.py my.py --data my_cases --json report.json
+  ./checker.py < my.py
+  ssh host cat my.java | ./checker.py - --language java
+
+exit status: 0 accepted, 1 not accepted, 2 usage or judge error, 130 interrupted
+"""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Judge as the arguments say and return the exit status."""
+    parser = _parser()
+    asked = parser.parse_args(arguments)
+    if asked.submission is None and sys.stdin.isatty():
+        parser.print_help()
+        return EXIT_ERROR
+    signal.signal(signal.SIGTERM, _interrupt)
+    signal.signal(signal.SIGHUP, _interrupt)
+    try:
+        return _judge(asked)
+    except USAGE_ERRORS as error:
+        print(f"checker.py: {error}", file=sys.stderr)
+        return EXIT_ERROR
+    except KeyboardInterrupt:
+        print("checker.py: interrupted, nothing is left running", file=sys.stderr)
+        return EXIT_INTERRUPTED
+    except BrokenPipeError:  # of our own output: the reader went away
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return EXIT_ERROR
+
+
+def _judge(asked: argparse.Namespace) -> int:
+    problem = load()
+    submission = _submission(asked)
+    if asked.json is not None and not asked.json.absolute().parent.is_dir():
+        raise JudgeError(f"--json {asked.json}: no such directory")
+    options = Options(
+        data=DATA if asked.data is None else asked.data,
+        groups=tuple(asked.group),
+        globs=tuple(asked.case),
+        jobs=asked.jobs,
+        time_limit_s=asked.time_limit,
+        stop_on_first=asked.stop_on_first,
+    )
+    console = Console(highlight=False)
+    with Live(console) as live:
+        judging = judge(submission, problem, options, events=live.events)
+    print_report(console, judging)
+    if asked.json is not None:
+        try:
+            write_json(asked.json, judging)
+        except OSError as error:
+            raise JudgeError(f"--json {asked.json}: {error.strerror}") from None
+    if judging.verdict is Verdict.JE:
+        return EXIT_ERROR
+    return EXIT_ACCEPTED if judging.verdict is Verdict.AC else EXIT_REJECTED
+
+
+def _submission(asked: argparse.Namespace) -> Submission:
+    language = None if asked.language is None else by_name(asked.language)
+    if asked.submission not in (None, "-"):
+        return read_submission(Path(asked.submission), language)
+    return from_source(sys.stdin.buffer.read(), "standard input", language)
+
+
+def _interrupt(_signal: int, _frame: object) -> None:
+    raise KeyboardInterrupt
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="checker.py",
+        description="Judge a submission: compile it, run it on every test case within the "
+        "limits, compare its output with the answers.",
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    add = parser.add_argument
+    add("submission", nargs="?", help="source file; '-' or nothing: standard input")
+    add("--language", metavar="NAME", help="instead of what the suffix or the text tells")
+    add("--group", action="append", default=[], metavar="NAME", help="only this group; repeatable")
+    add("--case", action="append", default=[], metavar="GLOB", help="only these cases; repeatable")
+    add("--data", type=Path, metavar="DIR", help="any directory of .in/.ans pairs")
+    add("--jobs", type=_at_least_one, default=default_jobs(), metavar="N", help="runs at once")
+    add("--time-limit", type=_seconds, metavar="SECONDS", help="CPU seconds a case, not scaled")
+    add("--json", type=Path, metavar="FILE", help="write the results as JSON")
+    add("--stop-on-first", action="store_true", help="end each group at its first failure")
+    return parser
+
+
+def _at_least_one(text: str) -> int:
+    try:
+        value = int(text)
+    except ValueError:
+        value = 0
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"expected a whole number of at least 1, found {text!r}")
+    return value
+
+
+def _seconds(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0 < value <= 3600:
+        raise argparse.ArgumentTypeError(f"expected seconds in (0, 3600], found {text!r}")
+    return value

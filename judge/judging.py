@@ -1,0 +1,249 @@
+"""All runs of one submission: compiled once, every case judged, results in order."""
+
+from __future__ import annotations
+
+import os
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from judge.cases import DATA, Case, check_built, find_cases, select
+from judge.compare import compare
+from judge.facts import RunLimits
+from judge.results import CaseResult, Judging, first_failure, group_results, not_run
+from judge.sandbox import Command, Sandbox, SandboxError
+from judge.spec import ROOT, Problem
+from judge.submission import CompileError, Program, Submission, compile_submission, read_submission
+from judge.verdict import Verdict, decide
+
+REFERENCE = ROOT / "solution.py"
+CALIBRATION_LIMIT_FACTOR = 100.0  # a machine slower than this is out of order
+RUNS_BEFORE_JE = 2
+
+
+class JudgeError(Exception):
+    """The judge cannot judge; one clear line."""
+
+
+def default_jobs() -> int:
+    """Half of the processors: the two threads of one core would slow each other down."""
+    return max(1, len(os.sched_getaffinity(0)) // 2)
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """What to judge on, and how. Empty groups or globs: all.
+
+    time_limit_s: overrides the declared limit, and then nothing is scaled;
+    scale: the machine's speed scale if it is known already (see `machine_scale`).
+    """
+
+    data: Path = DATA
+    groups: tuple[str, ...] = ()
+    globs: tuple[str, ...] = ()
+    jobs: int = 1
+    time_limit_s: float | None = None
+    scale: float | None = None
+    stop_on_first: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Events:
+    """What a report may want to hear while a judging goes on; called from the judging's thread."""
+
+    phase: Callable[[str], None] = lambda _text: None
+    start: Callable[[int], None] = lambda _cases: None
+    result: Callable[[CaseResult], None] = lambda _result: None
+
+
+def judge(
+    submission: Submission,
+    problem: Problem,
+    options: Options | None = None,
+    *,
+    events: Events | None = None,
+    executor: Executor | None = None,
+) -> Judging:
+    """Judge `submission` and return all results.
+
+    executor: where the runs are made, `options.jobs` at a time; threads if None.
+    Raises CasesError, LanguageError, SandboxError or JudgeError when nothing can
+    be judged; whatever happens to a single run ends as that case's JE. On any
+    exception, Ctrl-C included, no process and no file is left.
+    """
+    options, events = options or Options(), events or Events()
+    all_cases = find_cases(options.data, problem)
+    if options.data == DATA:
+        wanted = [g for g in problem.group_names if not options.groups or g in options.groups]
+        check_built(all_cases, wanted, options.data)
+    cases = select(all_cases, options.groups, options.globs)
+    with Sandbox() as sandbox:
+        scale = options.scale
+        if scale is None and options.time_limit_s is None:
+            events.phase("timing the reference solution")
+            scale = machine_scale(problem, sandbox)
+        declared_s = problem.limits.time_limit_s
+        limit_s = options.time_limit_s or declared_s * (scale or 1.0)
+        limits = RunLimits(limit_s, problem.limits.memory_mib, problem.limits.output_mib)
+        outcome = Judging(
+            submission=submission.name,
+            language=submission.language.name,
+            verdict=Verdict.AC,
+            score=0,
+            max_score=problem.max_score,
+            partial=len(cases) < len(all_cases),
+            time_limit_s=limit_s,
+            declared_s=declared_s,
+            memory_mib=limits.memory_mib,
+            scale=scale,
+            groups=(),
+        )
+        events.phase(f"compiling {submission.name} ({submission.language.name})")
+        try:
+            program = compile_submission(submission, problem.limits, sandbox)
+        except CompileError as error:
+            left_out = [not_run(case, "does not compile") for case in cases]
+            groups = tuple(
+                replace(group, verdict=Verdict.CE, score=0)
+                for group in group_results(problem, all_cases, left_out)
+            )
+            return replace(outcome, verdict=Verdict.CE, groups=groups, message=str(error))
+        events.start(len(cases))
+        results = []
+        own = None if executor else ThreadPoolExecutor(options.jobs)
+        try:
+            runs = _Runs(sandbox, program, limits, executor or own, options)
+            for result in runs.in_order(cases):
+                events.result(result)
+                results.append(result)
+        except BaseException:
+            sandbox.close()  # ends the runs, so that their threads end too
+            raise
+        finally:
+            if own is not None:
+                own.shutdown(cancel_futures=True)
+        groups = group_results(problem, all_cases, results)
+        return replace(
+            outcome,
+            verdict=first_failure(group.verdict for group in groups),
+            score=sum(group.score for group in groups),
+            groups=groups,
+        )
+
+
+def run_case(sandbox: Sandbox, command: Command, limits: RunLimits, case: Case) -> CaseResult:
+    """Run a program on one case and judge it. A failure of the sandbox, twice, is JE."""
+    failure = ""
+    for _ in range(RUNS_BEFORE_JE):
+        directory = sandbox.new_directory("output-")
+        output = directory / "stdout"
+        try:
+            facts = sandbox.run(command, limits, stdin=case.input, stdout=output)
+            with output.open("rb") as found, case.answer.open("rb") as expected:
+                judgement = decide(facts, limits, compare(found, expected))
+        except (SandboxError, OSError) as error:
+            failure = str(error)
+            continue
+        finally:
+            output.unlink(missing_ok=True)
+            if directory.is_dir():
+                directory.rmdir()
+        return CaseResult(
+            case,
+            judgement.verdict,
+            round(facts.cpu_s, 4),
+            round(facts.wall_s, 4),
+            round(facts.memory_mib, 2),
+            judgement.message,
+        )
+    return CaseResult(case, Verdict.JE, 0.0, 0.0, 0.0, failure)
+
+
+def machine_scale(problem: Problem, sandbox: Sandbox) -> float | None:
+    """Return how many times slower than the calibrating machine this one is, at least 1.
+
+    Times the reference once on the calibration case; None when that case is not
+    built. Raises JudgeError if the reference fails on it.
+    """
+    case_name = problem.calibration.case
+    stem = DATA / case_name
+    case = Case(
+        case_name, "", stem.with_name(stem.name + ".in"), stem.with_name(stem.name + ".ans")
+    )
+    if not (case.input.is_file() and case.answer.is_file() and REFERENCE.is_file()):
+        return None
+    reference = compile_submission(read_submission(REFERENCE), problem.limits, sandbox)
+    limits = RunLimits(
+        problem.calibration.reference_cpu_s * CALIBRATION_LIMIT_FACTOR,
+        problem.limits.memory_mib,
+        problem.limits.output_mib,
+    )
+    result = run_case(sandbox, reference.command, limits, case)
+    if result.verdict is not Verdict.AC:
+        raise JudgeError(
+            f"the reference is not accepted on {case.name}: {result.verdict} {result.message}"
+        )
+    return max(1.0, result.cpu_s / problem.calibration.reference_cpu_s)
+
+
+class _Runs:
+    """Runs cases on an executor, some at a time, and yields their results in order."""
+
+    def __init__(
+        self,
+        sandbox: Sandbox,
+        program: Program,
+        limits: RunLimits,
+        executor: Executor | None,
+        options: Options,
+    ) -> None:
+        assert executor is not None
+        self._executor = executor
+        self._task = (sandbox, program.command, limits)
+        self._jobs = options.jobs
+        self._stop_on_first = options.stop_on_first
+
+    def in_order(self, cases: Sequence[Case]) -> Iterator[CaseResult]:
+        """Yield one result per case. What was over a limit beside others runs again, alone."""
+        waiting = deque(cases)
+        running: deque[tuple[Case, Future[CaseResult], bool]] = deque()
+        stopped: set[str] = set()  # groups with a failure, if that ends a group
+        while waiting or running:
+            while waiting and len(running) < self._jobs:
+                case = waiting.popleft()
+                if case.group in stopped:
+                    running.append((case, self._skipped(case), False))
+                else:
+                    running.append((case, self._submit(case), self._jobs > 1))
+            case, future, beside_others = running.popleft()
+            result = self._result(case, future)
+            if case.group in stopped:
+                result = not_run(case, "an earlier case of its group failed")
+            elif beside_others and result.verdict is Verdict.TLE:
+                result = self._again_alone(result, [future for _, future, _ in running])
+            if self._stop_on_first and result.verdict not in (None, Verdict.AC):
+                stopped.add(case.group)
+            yield result
+
+    def _submit(self, case: Case) -> Future[CaseResult]:
+        return self._executor.submit(run_case, *self._task, case)
+
+    def _skipped(self, case: Case) -> Future[CaseResult]:
+        future: Future[CaseResult] = Future()
+        future.set_result(not_run(case, "an earlier case of its group failed"))
+        return future
+
+    def _result(self, case: Case, future: Future[CaseResult]) -> CaseResult:
+        """Wait for a result; a broken worker costs a second try, never the result."""
+        try:
+            return future.result()
+        except Exception:
+            return run_case(*self._task, case)
+
+    def _again_alone(self, first: CaseResult, others: list[Future[CaseResult]]) -> CaseResult:
+        wait(others)
+        result = run_case(*self._task, first.case)
+        changed = first.verdict if result.verdict is not first.verdict else None
+        return replace(result, retried=True, first_verdict=changed)

@@ -1,0 +1,70 @@
+"""Starts a program with its pipes, limits and environment."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import resource
+import signal
+from typing import Any
+
+from judge.keeper.proc import threads_of_user
+
+PR_SET_PDEATHSIG = 1
+LIBC = ctypes.CDLL(None, use_errno=True)
+
+
+class LaunchError(Exception):
+    """The program could not be started; the message says why."""
+
+
+def launch(request: dict[str, Any]) -> tuple[int, tuple[int, int, int]]:
+    """Start the program; return its pid and our non-blocking ends of its three pipes."""
+    stdin, feed = os.pipe()
+    take_out, stdout = os.pipe()
+    take_err, stderr = os.pipe()
+    complaint, complain = os.pipe()
+    pid = os.fork()
+    if pid == 0:
+        try:
+            become(request, (stdin, stdout, stderr))
+        except BaseException as error:
+            os.write(complain, str(error).encode())
+        finally:
+            os._exit(127)
+    for fd in (stdin, stdout, stderr, complain):
+        os.close(fd)
+    problem = os.read(complaint, 4096)  # ends at once when the program is executed
+    os.close(complaint)
+    if problem:
+        os.waitpid(pid, 0)
+        for fd in (feed, take_out, take_err):
+            os.close(fd)
+        raise LaunchError(f"{request['argv'][0]}: {problem.decode()}")
+    for fd in (feed, take_out, take_err):
+        os.set_blocking(fd, False)
+    return pid, (feed, take_out, take_err)
+
+
+def become(request: dict[str, Any], standard: tuple[int, int, int]) -> None:
+    """In the child: turn into the program. Never returns; raises OSError."""
+    os.setsid()
+    LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    for target, fd in enumerate(standard):
+        os.dup2(fd, target)
+    for number in (signal.SIGPIPE, signal.SIGXFSZ, signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_DFL)  # Python ignores some, and exec would keep that
+    # Root is not held by this limit; the keeper's own priority must do there.
+    processes = 4 * request["processes"] + (threads_of_user() if os.getuid() else 0)
+    for what, value in (
+        (resource.RLIMIT_CORE, 0),
+        (resource.RLIMIT_CPU, int(request["kill_cpu_s"]) + 2),  # should the keeper be stopped
+        (resource.RLIMIT_STACK, request["memory_mib"] << 20),  # deep recursion is no crime
+        (resource.RLIMIT_FSIZE, request["file_mib"] << 20),
+        (resource.RLIMIT_NPROC, processes),
+    ):
+        hard = resource.getrlimit(what)[1]
+        value = value if hard == resource.RLIM_INFINITY else min(value, hard)
+        resource.setrlimit(what, (value, value))
+    os.chdir(request["cwd"])
+    os.execve(request["argv"][0], request["argv"], request["env"])

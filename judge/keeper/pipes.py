@@ -1,0 +1,75 @@
+"""The three pipes of a program: what goes in, what comes out, never waiting for either."""
+
+from __future__ import annotations
+
+import os
+
+STDERR_BYTES = 8192
+BLOCK_BYTES = 1 << 16
+
+
+class Feeder:
+    """Feeds a file to a pipe: a file itself as standard input could be overwritten from inside."""
+
+    def __init__(self, source: int, pipe: int) -> None:
+        self.fd = pipe
+        self._source = source
+        self._block = memoryview(b"")
+        self._open = True
+
+    def feed(self) -> bool:
+        """Write what fits; return whether there is more. The pipe is closed when there is not."""
+        while True:
+            if not self._block:
+                self._block = memoryview(os.read(self._source, BLOCK_BYTES))
+            if not self._block:
+                break
+            try:
+                self._block = self._block[os.write(self.fd, self._block) :]
+            except BlockingIOError:
+                return True
+            except BrokenPipeError:  # the program does not want to read it all
+                break
+        self.close()
+        return False
+
+    def close(self) -> None:
+        """Close the pipe; more than once does no harm."""
+        if self._open:
+            os.close(self.fd)
+            self._open = False
+
+
+class Sink:
+    """Takes both outputs: the first `limit` bytes of one into a file, the head of the other."""
+
+    def __init__(self, stdout: int, stderr: int, file: int, limit: int) -> None:
+        self.open_fds = [stdout, stderr]
+        self.written = 0
+        self.stderr = b""
+        self._stderr_fd = stderr
+        self._file = file
+        self._limit = limit
+
+    def take(self, fd: int) -> bool:
+        """Read once without waiting; return whether more may come. Closes `fd` at its end."""
+        try:
+            block = os.read(fd, BLOCK_BYTES)
+        except BlockingIOError:
+            return True
+        if not block:
+            os.close(fd)
+            self.open_fds.remove(fd)
+            return False
+        if fd == self._stderr_fd:
+            self.stderr += block[: STDERR_BYTES - len(self.stderr)]
+        else:
+            os.write(self._file, block[: max(0, self._limit - self.written)])
+        self.written += len(block)
+        return True
+
+    def drain(self) -> None:
+        """Take what is left in the pipes, all of whose writers are gone."""
+        for fd in list(self.open_fds):
+            while self.take(fd):
+                pass

@@ -1,0 +1,53 @@
+"""What /proc says of the processes below this one."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from pathlib import Path
+
+
+def descendants() -> list[int]:
+    """Return the pids of all processes below the keeper, parents first."""
+    found, unseen = [], children(os.getpid())
+    while unseen:
+        pid = unseen.pop()
+        found.append(pid)
+        unseen += children(pid)
+    return found
+
+
+def children(pid: int) -> list[int]:
+    """Return the children of a process; none if it is gone."""
+    try:
+        threads = list(Path(f"/proc/{pid}/task").iterdir())
+    except OSError:
+        return []
+    return [int(c) for t in threads for c in read(f"{t}/children").split()]
+
+
+def threads_of_user() -> int:
+    """Return how many threads this user has: RLIMIT_NPROC counts them all."""
+    count, user = 0, os.getuid()
+    for process in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):
+            if process.stat().st_uid == user:
+                count += len(list((process / "task").iterdir()))
+    return count
+
+
+def proportional_mib(pid: int) -> float:
+    """Return the memory of a process with every shared page divided among its users."""
+    for line in read(f"/proc/{pid}/smaps_rollup").splitlines():
+        if line.startswith("Pss:"):
+            return int(line.split()[1]) / 1024
+    return 0.0
+
+
+def read(path: str) -> str:
+    """Return the text of a file of /proc; empty if the process is gone."""
+    try:
+        with Path(path).open("rb", buffering=0) as file:
+            return file.read().decode("latin-1")
+    except OSError:
+        return ""

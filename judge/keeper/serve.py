@@ -1,0 +1,64 @@
+"""The keeper's side of the protocol.
+
+One JSON object a line on standard input, one a line back on standard output; see
+`watch.run`. The end of standard input, also in the middle of a run, means that the
+judge is gone: everything is killed and the scratch directory is removed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import signal
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+from judge.keeper.launch import LIBC, LaunchError
+from judge.keeper.watch import CONTROL, JudgeGoneError, run
+
+PR_SET_CHILD_SUBREAPER = 36
+BLOCK_BYTES = 1 << 16
+
+
+def requests() -> Iterator[dict[str, Any]]:
+    """Yield the requests until standard input ends."""
+    pending = b""
+    while block := os.read(CONTROL, BLOCK_BYTES):
+        pending += block
+        while b"\n" in pending:
+            line, _, pending = pending.partition(b"\n")
+            yield json.loads(line)
+
+
+def answer(request: dict[str, Any]) -> None:
+    """Serve one request: write the facts, or `{"error": why}`. Raises TimeoutError as `run`."""
+    failed = None
+    try:
+        reply = run(request)
+    except (LaunchError, OSError) as error:
+        failed = error
+        reply = {"error": str(error)}
+    os.write(1, json.dumps(reply).encode() + b"\n")
+    if isinstance(failed, TimeoutError):
+        raise failed  # what is left would be counted with the next program
+
+
+def main() -> None:
+    """Serve the judge until it is gone."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_IGN)  # the end of standard input is what ends the keeper
+    LIBC.prctl(PR_SET_CHILD_SUBREAPER, 1)
+    # Against a fork bomb that shares the processors fairly, the keeper would lose. Who may
+    # not set this is held by RLIMIT_NPROC, which does not hold those who may.
+    with contextlib.suppress(PermissionError):
+        os.sched_setscheduler(0, os.SCHED_RR | os.SCHED_RESET_ON_FORK, os.sched_param(1))
+    try:
+        for request in requests():
+            answer(request)
+    except (JudgeGoneError, BrokenPipeError, TimeoutError):
+        pass
+    import shutil  # only here: it would make every program's peak memory larger
+
+    shutil.rmtree(sys.argv[2], ignore_errors=True)

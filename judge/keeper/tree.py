@@ -1,0 +1,89 @@
+"""All processes of a program: what they used, and how they are ended."""
+
+from __future__ import annotations
+
+import os
+import resource
+import signal
+import time
+
+from judge.keeper.proc import descendants, proportional_mib, read
+
+REAP_TIMEOUT_S = 10.0
+TICK_S = 1 / os.sysconf("SC_CLK_TCK")
+PAGE_MIB = os.sysconf("SC_PAGE_SIZE") / 2**20
+
+
+class Tree:
+    """All processes below the keeper, which are those of the one program it runs.
+
+    cpu_s: the larger of two counts, neither of which sees everything. Accounting
+    (reaped processes, and what live ones and their reaped children used) misses
+    children reaped automatically; adding up every process at its last sample
+    misses what happened after that.
+    """
+
+    def __init__(self) -> None:
+        self.cpu_s = 0.0
+        self.memory_mib = 0.0
+        self.processes = 0
+        self.largest_mib = 0.0  # of one reaped process, exact to the page
+        self.status: dict[int, int] = {}
+        self._reaped_s = 0.0
+        self._seen_s: dict[tuple[int, str], float] = {}
+
+    def sample(self, memory_limit_mib: float) -> None:
+        """Look at every live process once."""
+        live = descendants()
+        accounted_s, memory_mib = self._reaped_s, 0.0
+        for pid in live:
+            stat = read(f"/proc/{pid}/stat").rpartition(")")[2].split()
+            if not stat:
+                continue
+            own, waited = int(stat[11]) + int(stat[12]), int(stat[13]) + int(stat[14])
+            accounted_s += (own + waited) * TICK_S
+            self._seen_s[pid, stat[19]] = own * TICK_S
+            memory_mib += int(stat[21]) * PAGE_MIB
+        if memory_mib > memory_limit_mib and len(live) > 1:
+            # Pages shared after a fork count once; too slow to ask every time.
+            memory_mib = sum(map(proportional_mib, live))
+        self.processes = len(live)
+        self.memory_mib = max(self.memory_mib, memory_mib)
+        self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()))
+
+    def end(self) -> None:
+        """Kill and reap everything; when it returns, no child is left. Raises TimeoutError."""
+        give_up = time.monotonic() + REAP_TIMEOUT_S
+        while self._reap():
+            # Freeze first: what is stopped cannot fork away from the list.
+            for signal_number in (signal.SIGSTOP, signal.SIGKILL):
+                for pid in descendants():
+                    try:
+                        os.kill(pid, signal_number)
+                    except ProcessLookupError:
+                        continue
+            if time.monotonic() > give_up:
+                raise TimeoutError("processes of the program cannot be killed")
+            time.sleep(0.0005)
+        self.cpu_s = max(self.cpu_s, self._reaped_s)
+
+    def _reap(self) -> bool:
+        """Reap what has ended; return whether anything still lives."""
+        while True:
+            try:
+                pid, status, usage = os.wait4(-1, os.WNOHANG)
+            except ChildProcessError:
+                return False
+            if pid == 0:
+                return True
+            self.status[pid] = status
+            self._reaped_s += usage.ru_utime + usage.ru_stime
+            self.largest_mib = max(self.largest_mib, usage.ru_maxrss / 1024)
+
+
+def peak_mib(tree: Tree) -> float:
+    """Return the peak memory, leaving out what a small program only inherited from the keeper."""
+    keeper_mib = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    if tree.largest_mib <= keeper_mib and tree.memory_mib > 0:
+        return tree.memory_mib
+    return max(tree.largest_mib, tree.memory_mib)

@@ -1,0 +1,99 @@
+"""One run: from the launch of a program to its facts."""
+
+from __future__ import annotations
+
+import os
+import select
+import time
+from pathlib import Path
+from typing import Any
+
+from judge.keeper.launch import launch
+from judge.keeper.pipes import Feeder, Sink
+from judge.keeper.tree import Tree, peak_mib
+
+CONTROL = 0
+SAMPLE_S = 0.02
+
+
+class JudgeGoneError(Exception):
+    """The judge closed its end: nobody waits for an answer."""
+
+
+def run(request: dict[str, Any]) -> dict[str, Any]:
+    """Run one program to its end and return the facts.
+
+    Request: argv, env, cwd; stdin: path of a file fed through a pipe, or null;
+    stdout: path of a file to write; kill_cpu_s, kill_wall_s, memory_mib,
+    output_bytes, processes: where to end it; file_mib: the largest file it may write.
+    Reply: the fields of `judge.facts.Facts`; stderr as Latin-1 text.
+    Raises LaunchError, JudgeGoneError, TimeoutError; no process is left in any case but the last.
+    """
+    tree = Tree()
+    source_path, out_path = Path(request["stdin"] or os.devnull), Path(request["stdout"])
+    with source_path.open("rb") as source, out_path.open("wb") as out:
+        started = time.monotonic()
+        pid, pipes = launch(request)
+        feeder = Feeder(source.fileno(), pipes[0])
+        sink = Sink(pipes[1], pipes[2], out.fileno(), request["output_bytes"])
+        try:
+            stopped = watch(pid, feeder, sink, tree, started, request)
+        finally:
+            tree.end()
+            feeder.close()
+        wall_s = time.monotonic() - started
+        sink.drain()
+    status = tree.status[pid]
+    return {
+        "exit_status": os.WEXITSTATUS(status) if os.WIFEXITED(status) else None,
+        "signal": os.WTERMSIG(status) if os.WIFSIGNALED(status) else None,
+        "cpu_s": tree.cpu_s,
+        "wall_s": wall_s,
+        "memory_mib": peak_mib(tree),
+        "output_bytes": sink.written,
+        "stopped": stopped,
+        "stderr": sink.stderr.decode("latin-1"),
+    }
+
+
+def watch(
+    pid: int, feeder: Feeder, sink: Sink, tree: Tree, started: float, request: dict[str, Any]
+) -> str | None:
+    """Serve the pipes until the program ends (None) or passes a limit (which one)."""
+    pidfd = os.pidfd_open(pid)
+    poll = select.poll()
+    poll.register(pidfd, select.POLLIN)
+    poll.register(CONTROL, select.POLLIN)
+    for fd in sink.open_fds:
+        poll.register(fd, select.POLLIN)
+    poll.register(feeder.fd, select.POLLOUT)
+    memory_mib = request["memory_mib"]
+    next_sample = started + SAMPLE_S / 4
+    try:
+        while True:
+            wait_s = max(0.0, next_sample - time.monotonic())
+            for fd, _ in poll.poll(wait_s * 1000 + 1):
+                if fd == CONTROL:
+                    raise JudgeGoneError
+                if fd == pidfd:
+                    return None
+                more = feeder.feed() if fd == feeder.fd else sink.take(fd)
+                if not more:
+                    poll.unregister(fd)
+            if sink.written > request["output_bytes"]:
+                return "output"
+            now = time.monotonic()
+            if now < next_sample:
+                continue
+            next_sample = now + SAMPLE_S
+            tree.sample(memory_mib)
+            if tree.memory_mib > memory_mib:
+                return "memory"
+            if tree.processes > request["processes"]:
+                return "processes"
+            if tree.cpu_s > request["kill_cpu_s"]:
+                return "cpu"
+            if now - started > request["kill_wall_s"]:
+                return "wall"
+    finally:
+        os.close(pidfd)

@@ -1,0 +1,109 @@
+"""What a judging yields: results of cases, groups and the whole. Pure aggregation, no running."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from judge.cases import Case
+from judge.spec import Problem
+from judge.verdict import Verdict
+
+NOT_RUN = "not run"
+
+
+@dataclass(frozen=True, slots=True)
+class CaseResult:
+    """The result of one case; verdict None: it was not run (see `message`).
+
+    retried: it was over a limit beside other runs and was run again alone;
+    first_verdict: what the first of the two runs would have meant, if it differs.
+    """
+
+    case: Case
+    verdict: Verdict | None
+    cpu_s: float
+    wall_s: float
+    memory_mib: float
+    message: str = ""
+    retried: bool = False
+    first_verdict: Verdict | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class GroupResult:
+    """A group: all or nothing. whole: every one of its cases was selected."""
+
+    name: str
+    verdict: Verdict
+    score: int
+    max_score: int
+    whole: bool
+    cases: tuple[CaseResult, ...]
+
+    @property
+    def slowest(self) -> CaseResult | None:
+        """The case with the most CPU time among those that ran."""
+        ran = [result for result in self.cases if result.verdict is not None]
+        return max(ran, key=lambda result: result.cpu_s, default=None)
+
+
+@dataclass(frozen=True, slots=True)
+class Judging:
+    """All runs of one submission, in the order of the cases.
+
+    time_limit_s: the limit that held; declared_s: the one of problem.toml; scale:
+    the former over the latter as this machine's speed asks, None if it was not measured.
+    partial: not every case of the data was selected, so the score is only a part.
+    message: the compiler's, for CE.
+    """
+
+    submission: str
+    language: str
+    verdict: Verdict
+    score: int
+    max_score: int
+    partial: bool
+    time_limit_s: float
+    declared_s: float
+    memory_mib: int
+    scale: float | None
+    groups: tuple[GroupResult, ...]
+    message: str = ""
+
+    @property
+    def cases(self) -> tuple[CaseResult, ...]:
+        """The results of all cases in order."""
+        return tuple(result for group in self.groups for result in group.cases)
+
+    @property
+    def first_failure(self) -> CaseResult | None:
+        """The first case in order that was run and not accepted."""
+        failures = (r for r in self.cases if r.verdict not in (None, Verdict.AC))
+        return next(failures, None)
+
+
+def not_run(case: Case, why: str) -> CaseResult:
+    """Return the result of a case that was left out."""
+    return CaseResult(case, None, 0.0, 0.0, 0.0, f"{NOT_RUN}: {why}")
+
+
+def first_failure(verdicts: Iterable[Verdict | None]) -> Verdict:
+    """Return the first verdict that is neither AC nor missing; AC if there is none."""
+    return next((v for v in verdicts if v not in (None, Verdict.AC)), Verdict.AC)
+
+
+def group_results(
+    problem: Problem, all_cases: Sequence[Case], results: Sequence[CaseResult]
+) -> tuple[GroupResult, ...]:
+    """Gather results, in order, into groups. One scores if all of its cases were run and are AC."""
+    points = {group.name: group.points for group in problem.groups}
+    groups = []
+    for name in dict.fromkeys(result.case.group for result in results):
+        own = tuple(result for result in results if result.case.group == name)
+        whole = len(own) == sum(case.group == name for case in all_cases)
+        solved = whole and all(result.verdict is Verdict.AC for result in own)
+        worth = points.get(name, 0)
+        verdict = first_failure(result.verdict for result in own)
+        groups.append(GroupResult(name, verdict, worth if solved else 0, worth, whole, own))
+    return tuple(groups)

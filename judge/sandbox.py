@@ -1,0 +1,190 @@
+"""Runs programs through keepers: one command in, its facts out."""
+
+from __future__ import annotations
+
+import json
+import select
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self
+
+from judge.facts import Facts, RunLimits, Stop
+from judge.keeper import BOOT
+
+KIT = Path(__file__).resolve().parent.parent
+ANSWER_MARGIN_S = 30.0  # what a keeper may need beyond the wall limit before it is given up
+FILE_MIB = 256  # the largest file a run may write into its scratch directory
+
+
+class SandboxError(Exception):
+    """The run could not be made or watched; the program is not to blame."""
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """What to execute: argv[0] is an absolute path, env the whole environment."""
+
+    argv: tuple[str, ...]
+    env: Mapping[str, str] = field(default_factory=dict)
+
+
+class Sandbox:
+    """A pool of keepers and a scratch directory, both gone when it is closed.
+
+    Any number of threads may call `run` at once; each run has a keeper to itself.
+    The keepers remove the scratch directory when this process dies, however it does.
+    """
+
+    def __init__(self) -> None:
+        self.scratch = Path(tempfile.mkdtemp(prefix="collision-course-")).resolve()
+        self._idle: list[_Keeper] = []
+        self._all: list[_Keeper] = []
+        self._lock = threading.Lock()
+        self._closed = False
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def run(
+        self,
+        command: Command,
+        limits: RunLimits,
+        *,
+        stdin: Path | None,
+        stdout: Path,
+        cwd: Path | None = None,
+    ) -> Facts:
+        """Run `command` to its end and return what was seen; no process of it remains.
+
+        stdin: file fed through a pipe, None for an empty one. stdout: file that
+        receives at most `limits.output_bytes`. cwd: where it runs; None for an
+        empty directory that is removed afterwards. Raises SandboxError.
+        """
+        own = self.new_directory("run-") if cwd is None else None
+        request = {
+            "argv": command.argv,
+            "env": {**command.env, "HOME": str(cwd or own), "TMPDIR": str(cwd or own)},
+            "cwd": str(cwd or own),
+            "stdin": None if stdin is None else str(stdin),
+            "stdout": str(stdout),
+            "kill_cpu_s": limits.kill_cpu_s,
+            "kill_wall_s": limits.kill_wall_s,
+            "memory_mib": limits.memory_mib,
+            "output_bytes": limits.output_bytes,
+            "processes": limits.processes,
+            "file_mib": FILE_MIB,
+        }
+        keeper = self._take()
+        try:
+            reply = keeper.ask(request, limits.kill_wall_s + ANSWER_MARGIN_S)
+        except BaseException:
+            keeper.end()
+            raise
+        else:
+            self._give_back(keeper)
+        finally:
+            if own is not None:
+                shutil.rmtree(own, ignore_errors=True)
+        if "error" in reply:
+            raise SandboxError(reply["error"])
+        reply["stopped"] = None if reply["stopped"] is None else Stop(reply["stopped"])
+        reply["stderr"] = reply["stderr"].encode("latin-1")
+        return Facts(**reply)
+
+    def new_directory(self, prefix: str) -> Path:
+        """Return an empty directory that lives as long as the sandbox."""
+        return Path(tempfile.mkdtemp(dir=self.scratch, prefix=prefix))
+
+    def close(self) -> None:
+        """End all runs and keepers, and remove the scratch directory."""
+        with self._lock:
+            self._closed = True
+            keepers = list(self._all)
+        for keeper in keepers:
+            keeper.hang_up()
+        for keeper in keepers:
+            keeper.end()
+        shutil.rmtree(self.scratch, ignore_errors=True)
+
+    def _take(self) -> _Keeper:
+        with self._lock:
+            if self._closed:
+                raise SandboxError("the judging was ended")
+            if self._idle:
+                return self._idle.pop()
+            keeper = _Keeper(self.scratch)
+            self._all = [k for k in self._all if k.alive()] + [keeper]
+            return keeper
+
+    def _give_back(self, keeper: _Keeper) -> None:
+        with self._lock:
+            if keeper.alive():
+                self._idle.append(keeper)
+
+
+class _Keeper:
+    """One keeper process, and the two pipes to it."""
+
+    def __init__(self, scratch: Path) -> None:
+        self._process = subprocess.Popen(
+            [sys.executable, "-I", "-S", "-c", BOOT, str(KIT), str(scratch)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            env={},
+            cwd="/",
+            start_new_session=True,  # Ctrl-C is the judge's to handle
+        )
+
+    def alive(self) -> bool:
+        return self._process.poll() is None
+
+    def ask(self, request: dict[str, Any], timeout_s: float) -> dict[str, Any]:
+        """Send one request and wait for its reply. Raises SandboxError."""
+        stdin, stdout = self._process.stdin, self._process.stdout
+        assert stdin is not None
+        assert stdout is not None
+        try:
+            stdin.write(json.dumps(request).encode() + b"\n")
+            stdin.flush()
+            ready, _, _ = select.select([stdout], [], [], timeout_s)
+            line = stdout.readline() if ready else b""
+        except (OSError, ValueError):  # ValueError: closed by hang_up in another thread
+            line = b""
+        if not line:
+            raise SandboxError("the keeper of the run was lost")
+        reply: dict[str, Any] = json.loads(line)
+        return reply
+
+    def hang_up(self) -> None:
+        """Close the control pipe: the keeper ends its run and itself."""
+        if self._process.stdin is not None:
+            try:
+                self._process.stdin.close()
+            except OSError:
+                return  # a request that could not be written: the keeper is gone already
+
+    def end(self) -> None:
+        """Hang up and wait for the end, which is forced if it does not come."""
+        self.hang_up()
+        try:
+            self._process.wait(timeout=15)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        if self._process.stdout is not None:
+            self._process.stdout.close()

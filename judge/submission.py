@@ -1,0 +1,130 @@
+"""A submission: read from a file or from standard input, and compiled."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from judge.facts import RunLimits, Stop
+from judge.languages import LANGUAGES, Language, by_suffix, guess, toolchain
+from judge.sandbox import Command, Sandbox
+from judge.spec import Limits
+from judge.text import printable_lines
+
+COMPILER_OUTPUT_MIB = 8
+
+
+class SubmissionError(Exception):
+    """What was given cannot be a submission; one clear line."""
+
+
+class CompileError(Exception):
+    """The submission does not compile; the message is the compiler's, cut short."""
+
+
+@dataclass(frozen=True, slots=True)
+class Submission:
+    """A source text in a known language. name: its path as given, or `standard input`."""
+
+    name: str
+    language: Language
+    source: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """A compiled submission, ready to be run any number of times."""
+
+    submission: Submission
+    command: Command
+
+
+def read_submission(path: Path, language: Language | None = None) -> Submission:
+    """Read a file; its suffix tells the language, else its text. Raises SubmissionError."""
+    if path.is_dir():
+        raise SubmissionError(f"{path}: expected a source file, found a directory")
+    try:
+        source = path.read_bytes()
+    except FileNotFoundError:
+        raise SubmissionError(f"{path}: no such file") from None
+    except OSError as error:
+        raise SubmissionError(f"{path}: cannot be read: {error.strerror}") from None
+    known = language or by_suffix(path)
+    if known is None and path.suffix:
+        suffixes = " ".join(s for each in LANGUAGES for s in each.suffixes)
+        raise SubmissionError(
+            f"{path}: unknown language: expected a suffix among {suffixes}, "
+            f"found {path.suffix!r} (or give --language)"
+        )
+    return from_source(source, str(path), known)
+
+
+def from_source(source: bytes, name: str, language: Language | None = None) -> Submission:
+    """Check a source text and guess its language if none is given. Raises SubmissionError."""
+    if not source.strip():
+        raise SubmissionError(f"{name}: expected a source text, found nothing in it")
+    if b"\0" in source:
+        raise SubmissionError(
+            f"{name}: expected a source text, found binary data (a zero byte at offset "
+            f"{source.index(0)})"
+        )
+    found = language or guess(source.decode("utf-8", "replace"))
+    if found is None:
+        names = ", ".join(each.name for each in LANGUAGES)
+        raise SubmissionError(
+            f"{name}: the text does not tell its language; give --language with one of {names}"
+        )
+    return Submission(name, found, source)
+
+
+def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox) -> Program:
+    """Compile once, in the sandbox. Raises CompileError, LanguageError or SandboxError."""
+    if len(submission.source) > limits.code_kib << 10:
+        raise CompileError(
+            f"the source is {len(submission.source) / 1024:.0f} KiB long, "
+            f"limit {limits.code_kib} KiB"
+        )
+    tools = toolchain(submission.language)
+    directory = sandbox.new_directory("program-")
+    source_name = _file_name(submission)
+    (directory / source_name).write_bytes(submission.source)
+    run_limits = RunLimits(
+        time_limit_s=limits.compilation_time_s,
+        memory_mib=limits.compilation_memory_mib,
+        output_mib=COMPILER_OUTPUT_MIB,
+    )
+    printed = directory / "compiler-output"
+    facts = sandbox.run(
+        tools.compile_command(directory, source_name),
+        run_limits,
+        stdin=None,
+        stdout=printed,
+        cwd=directory,
+    )
+    said = printable_lines(facts.stderr or printed.read_bytes()[:8192])
+    said = said.replace(f"{directory}/", "")
+    if facts.stopped is not None:
+        limit = {
+            Stop.MEMORY: f"more than {run_limits.memory_mib} MiB of memory",
+            Stop.OUTPUT: f"more than {COMPILER_OUTPUT_MIB} MiB of messages",
+            Stop.PROCESSES: f"more than {run_limits.processes} processes",
+        }.get(facts.stopped, f"more than {run_limits.time_limit_s:.0f} s")
+        raise CompileError(f"the compiler was stopped: {limit}\n{said}".rstrip())
+    if facts.exit_status != 0:
+        ended = f"signal {facts.signal}" if facts.signal else f"exit status {facts.exit_status}"
+        raise CompileError(said or f"the compiler ended with {ended} and said nothing")
+    return Program(submission, tools.run_command(directory, source_name, limits.memory_mib))
+
+
+def _file_name(submission: Submission) -> str:
+    """Return the source file's name; Java wants that of its public class."""
+    language = submission.language
+    stem = language.default_stem
+    if language.name == "Java":
+        text = submission.source.decode("utf-8", "replace")
+        before_main = text.partition("public static void main")[0]
+        classes = re.findall(r"^\s*public\s+(?:final\s+)?class\s+(\w+)", text, re.MULTILINE)
+        classes += re.findall(r"\bclass\s+(\w+)", before_main)[-1:]
+        stem = classes[0] if classes else stem
+    return stem + language.suffixes[0]

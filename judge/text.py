@@ -1,0 +1,40 @@
+"""Foreign bytes made fit to print: no control characters, nothing long."""
+
+from __future__ import annotations
+
+ELLIPSIS = "…"
+
+
+def printable(data: bytes, limit: int = 40) -> str:
+    r"""Return `data` as one line of printable ASCII of at most `limit` characters and a `…`.
+
+    Every other byte becomes `\xNN`, so that no output can move a cursor, fake a
+    verdict or break a table. O(limit).
+
+    >>> printable(b"YES")
+    'YES'
+    >>> printable(b"\x1b[2J")
+    '\\x1b[2J'
+    """
+    shown = "".join(chr(b) if 32 <= b < 127 else f"\\x{b:02x}" for b in data[: limit + 1])
+    return shown if len(shown) <= limit else shown[:limit] + ELLIPSIS
+
+
+def printable_lines(data: bytes, lines: int = 12, width: int = 160) -> str:
+    """Return the first `lines` lines of `data`, each cut to `width`; a last `…` if there are more.
+
+    Text in UTF-8 stays readable; whatever is not printable is escaped.
+    """
+    text = data.decode("utf-8", "backslashreplace").expandtabs(4).strip("\r\n")
+    found = text.splitlines()
+    kept = [_printable_text(line.rstrip(), width) for line in found[:lines]]
+    if len(found) > lines:
+        kept.append(ELLIPSIS)
+    return "\n".join(kept)
+
+
+def _printable_text(line: str, width: int) -> str:
+    shown = "".join(
+        c if c.isprintable() else c.encode("unicode_escape").decode() for c in line[: width + 1]
+    )
+    return shown if len(shown) <= width else shown[:width] + ELLIPSIS
