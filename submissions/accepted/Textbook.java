@@ -59,12 +59,19 @@ public class Textbook {
                 sumX[length] = x[p] + that.x[q];
                 sumY[length] = y[p] + that.y[q];
                 length++;
-                long turn =
-                        cross(
-                                x[pNext] - x[p], y[pNext] - y[p],
-                                that.x[qNext] - that.x[q], that.y[qNext] - that.y[q]);
-                if (turn >= 0 && i < n) i++; // this polygon's edge comes first, or
-                if (turn <= 0 && j < m) j++; // that one's does, or parallel edges become one
+                long turn;
+                if (i == n) {
+                    turn = -1;
+                } else if (j == m) {
+                    turn = +1;
+                } else {
+                    turn =
+                            cross(
+                                    x[pNext] - x[p], y[pNext] - y[p],
+                                    that.x[qNext] - that.x[q], that.y[qNext] - that.y[q]);
+                }
+                if (turn >= 0) i++; // this polygon's edge comes first, or
+                if (turn <= 0) j++; // that one's does, or parallel edges become one
             }
             return new Polygon(Arrays.copyOf(sumX, length), Arrays.copyOf(sumY, length));
         }

@@ -48,9 +48,16 @@ Polygon minkowski_sum(const Polygon& a, const Polygon& b) {
         const Point& p = a[i % a.size()];
         const Point& q = b[j % b.size()];
         sum.push_back(p + q);
-        int64_t turn = cross(a[(i + 1) % a.size()] - p, b[(j + 1) % b.size()] - q);
-        if (turn >= 0 && i < a.size()) ++i;  // a's edge comes first, or
-        if (turn <= 0 && j < b.size()) ++j;  // b's does, or parallel edges become one
+        int64_t turn = 0;
+        if (i == a.size()) {
+            turn = -1;
+        } else if (j == b.size()) {
+            turn = +1;
+        } else {
+            turn = cross(a[(i + 1) % a.size()] - p, b[(j + 1) % b.size()] - q);
+        }
+        if (turn >= 0) ++i;  // a's edge comes first, or
+        if (turn <= 0) ++j;  // b's does, or parallel edges become one
     }
     return sum;
 }
