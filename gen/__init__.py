@@ -1,0 +1,1 @@
+"""Makes the test data: shapes, families, the plan, the input validator and the build."""

@@ -1,0 +1,125 @@
+"""How a function becomes a family, and how its parameters are checked."""
+
+from __future__ import annotations
+
+import difflib
+import inspect
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Annotated, Any, get_args, get_type_hints
+
+from gen.rng import Rng
+from gen.scenario import LIMIT, Scenario
+from gen.seeds import derive
+
+
+@dataclass(frozen=True)
+class Between:
+    """The values an integer parameter may have, both ends included."""
+
+    low: int
+    high: int
+
+    def read(self, text: int | str) -> int:
+        """Return the integer that the text says; ValueError tells what was expected."""
+        expected = f"expected an integer of {self.low}..{self.high}, found {str(text)[:40]!r}"
+        try:
+            value = int(text)
+        except ValueError:
+            raise ValueError(expected) from None
+        if not self.low <= value <= self.high:
+            raise ValueError(expected)
+        return value
+
+
+@dataclass(frozen=True)
+class OneOf:
+    """The words a parameter may be."""
+
+    words: tuple[str, ...]
+
+    def read(self, text: int | str) -> str:
+        """Return the word; ValueError tells what was expected."""
+        if text not in self.words:
+            near = nearest(str(text), self.words)
+            raise ValueError(f"expected one of {', '.join(self.words)}, found {text!r}{near}")
+        return str(text)
+
+
+Scenarios = Annotated[int, Between(1, 100_000)]
+Obstacles = Annotated[int, Between(0, 166_665)]
+Vertices = Annotated[int, Between(3, 500_000)]
+Length = Annotated[int, Between(1, LIMIT)]
+Flag = Annotated[int, Between(0, 1)]
+
+Parameters = Mapping[str, int | str]
+Maker = Callable[..., Iterable[Scenario]]
+
+
+class FamilyError(Exception):
+    """No such family or parameter, or parameters that no scene fits; one clear line."""
+
+
+@dataclass(frozen=True)
+class Family:
+    """A way to make test cases: a function of a random source and keyword parameters."""
+
+    name: str
+    summary: str
+    make: Maker
+    domains: Mapping[str, Between | OneOf]
+    defaults: Parameters
+
+    def resolve(self, given: Parameters) -> dict[str, int | str]:
+        """Return all parameters, checked; FamilyError names the first bad one."""
+        for name in given:
+            if name not in self.domains:
+                near = nearest(name, self.domains)
+                raise FamilyError(f"family {self.name}: no parameter {name!r}{near}")
+        resolved = {}
+        for name, domain in self.domains.items():
+            try:
+                resolved[name] = domain.read(given.get(name, self.defaults[name]))
+            except ValueError as error:
+                raise FamilyError(f"family {self.name}: parameter {name}: {error}") from None
+        return resolved
+
+    def scenarios(self, given: Parameters, repeat: int) -> list[Scenario]:
+        """Return the scenarios for these parameters; equal arguments, equal scenarios."""
+        parameters = self.resolve(given)
+        return list(self.make(Rng(derive(self.name, parameters, repeat)), **parameters))
+
+
+FAMILIES: dict[str, Family] = {}  # filled once, by the decorator, while gen.families loads
+
+
+def family(make: Maker) -> Maker:
+    """Register a function as the family of its name; its docstring's first line sums it up.
+
+    Keyword parameters carry their domain in their annotation and have a default.
+    """
+    hints: dict[str, Any] = get_type_hints(make, include_extras=True)
+    parameters = [p for p in inspect.signature(make).parameters.values() if p.name != "rng"]
+    name = make.__name__
+    FAMILIES[name] = Family(
+        name=name,
+        summary=(make.__doc__ or "").partition("\n")[0],
+        make=make,
+        domains={p.name: get_args(hints[p.name])[1] for p in parameters},
+        defaults={p.name: p.default for p in parameters},
+    )
+    return make
+
+
+def find(name: str) -> Family:
+    """Return the family of this name; FamilyError suggests the nearest."""
+    try:
+        return FAMILIES[name]
+    except KeyError:
+        raise FamilyError(f"no family {name!r}{nearest(name, FAMILIES)}") from None
+
+
+def nearest(word: str, choices: Iterable[str]) -> str:
+    """Return `; did you mean 'x'?` for the nearest choice, or an empty string."""
+    near = difflib.get_close_matches(word, list(choices), n=1)
+    return f"; did you mean {near[0]!r}?" if near else ""

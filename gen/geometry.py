@@ -1,0 +1,160 @@
+"""Exact geometry on the integer grid, for making scenes only.
+
+These are the generators' own constructors: no solver uses them, so that maker
+and checker share no bug. A polygon is a list of vertices, counter-clockwise and
+strictly convex unless said otherwise.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import gcd
+
+Point = tuple[int, int]
+Polygon = list[Point]
+
+
+def cross(a: Point, b: Point) -> int:
+    """Return the cross product a x b: positive when b points to the left of a."""
+    return a[0] * b[1] - a[1] * b[0]
+
+
+def minus(a: Point, b: Point) -> Point:
+    """Return the vector from b to a."""
+    return a[0] - b[0], a[1] - b[1]
+
+
+def primitive(v: Point) -> Point:
+    """Return the shortest integer vector of v's direction; v is not zero."""
+    divisor = gcd(v[0], v[1])
+    return v[0] // divisor, v[1] // divisor
+
+
+def step_right(w: Point) -> Point:
+    """Return an integer vector s with cross(w, s) == -1 for a primitive w.
+
+    It leads from the line along w to the next lattice line on its right. Among the
+    solutions, the one with 0 <= dot(w, s) < |w|^2 is taken. O(log |w|).
+    """
+    # p*v - q*u == -1 by the extended Euclidean algorithm on (p, q).
+    p, q = w
+    r0, r1, x0, x1, y0, y1 = p, q, 1, 0, 0, 1
+    while r1:
+        quotient = r0 // r1
+        r0, r1 = r1, r0 - quotient * r1
+        x0, x1 = x1, x0 - quotient * x1
+        y0, y1 = y1, y0 - quotient * y1
+    # p*x0 + q*y0 == r0, which is +-1 for a primitive w.
+    u, v = y0 * r0, -x0 * r0
+    shift = (u * p + v * q) // (p * p + q * q)
+    return u - shift * p, v - shift * q
+
+
+def translated(polygon: Polygon, by: Point) -> Polygon:
+    """Return the polygon moved by a vector."""
+    dx, dy = by
+    return [(x + dx, y + dy) for x, y in polygon]
+
+
+def hull(points: Polygon) -> Polygon:
+    """Return the strictly convex hull, counter-clockwise; fewer than 3 points when degenerate.
+
+    O(n log n). Source: Andrew's monotone chain.
+    """
+    ordered = sorted(set(points))
+    if len(ordered) < 3:
+        return ordered
+    chain: Polygon = []
+    for run in (ordered, ordered[::-1]):
+        start = len(chain)
+        for point in run:
+            while len(chain) - start >= 2 and (
+                cross(minus(chain[-1], chain[-2]), minus(point, chain[-1])) <= 0
+            ):
+                chain.pop()
+            chain.append(point)
+        chain.pop()
+    return chain
+
+
+def is_strictly_convex(polygon: Polygon) -> bool:
+    """Tell whether the polygon is counter-clockwise, strictly convex and winds once. O(n)."""
+    if len(polygon) < 3:
+        return False
+    windings = 0
+    back = minus(polygon[-1], polygon[-2])
+    here = polygon[-1]
+    for point in polygon:
+        ahead = minus(point, here)
+        if cross(back, ahead) <= 0:
+            return False
+        windings += not _is_upper(back) and _is_upper(ahead)
+        back, here = ahead, point
+    return windings == 1
+
+
+def _is_upper(v: Point) -> bool:
+    """Tell whether v's angle lies in [0, 180) degrees."""
+    return v[1] > 0 or (v[1] == 0 and v[0] > 0)
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """What a convex robot covers: a convex polygon, and where its parts begin.
+
+    vertices: the rear (from the start), then the front (from the end of the move).
+    front: index of the first front vertex. Without a move: 0, everything is front.
+    The edge that ends at `front` and the one that closes the polygon lie along the
+    move; they are longer than the move where a robot's edge is parallel to it.
+    """
+
+    vertices: Polygon
+    front: int
+
+    def edge(self, index: int) -> tuple[Point, Point]:
+        """Return both ends of the edge that leaves vertex `index`."""
+        return self.vertices[index], self.vertices[(index + 1) % len(self.vertices)]
+
+
+def sweep(robot: Polygon, move: Point) -> Sweep:
+    """Return the convex polygon that the robot covers on its straight move. O(m)."""
+    if move == (0, 0):
+        return Sweep(list(robot), 0)
+    dx, dy = move
+    m = len(robot)
+    sides = [dx * y - dy * x for x, y in robot]
+    right, left = min(sides), max(sides)
+    # Of two vertices on a side line the edge between them melts into the swept side:
+    # its outer ends stay. Counter-clockwise runs along the move on the right.
+    rear_end = next(i for i in range(m) if sides[i] == right and sides[i - 1] != right)
+    rear_start = next(i for i in range(m) if sides[i - 1] == left and sides[i] != left) - 1
+    front_start = rear_end + (sides[(rear_end + 1) % m] == right)
+    front_end = rear_start - (sides[rear_start - 1] == left)
+    rear = _arc(robot, rear_start, rear_end)
+    front = translated(_arc(robot, front_start, front_end), move)
+    return Sweep(rear + front, len(rear))
+
+
+def _arc(polygon: Polygon, first: int, last: int) -> Polygon:
+    """Return the vertices from index `first` on to index `last`, both modulo n."""
+    n = len(polygon)
+    first, last = first % n, last % n
+    if first <= last:
+        return polygon[first : last + 1]
+    return polygon[first:] + polygon[: last + 1]
+
+
+def apart(a: Polygon, b: Polygon) -> bool:
+    """Tell whether two convex polygons share no point, by trying every edge. O(len(a) * len(b))."""
+    return _edge_parts(a, b) or _edge_parts(b, a)
+
+
+def _edge_parts(a: Polygon, b: Polygon) -> bool:
+    """Tell whether the line through some edge of a has all of b strictly outside."""
+    ax, ay = a[-1]
+    for bx, by in a:
+        ex, ey = bx - ax, by - ay
+        if all(ex * (y - ay) < ey * (x - ax) for x, y in b):
+            return True
+        ax, ay = bx, by
+    return False

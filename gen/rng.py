@@ -1,0 +1,67 @@
+"""Randomness that is the same on every Python and platform.
+
+Only `random.Random(seed).random()` and `getrandbits` are promised to stay
+stable, so everything here is built on those two.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import MutableSequence, Sequence
+from typing import TypeVar
+
+T = TypeVar("T")
+
+
+class Rng:
+    """A seeded source of integers, choices and orders."""
+
+    def __init__(self, seed: int) -> None:
+        source = random.Random(seed)
+        self._bits = source.getrandbits
+        self._random = source.random
+
+    def below(self, n: int) -> int:
+        """Return an integer of 0..n-1, each equally likely; n >= 1. Expected O(1)."""
+        if n < 1:
+            raise ValueError(f"below: expected n >= 1, found {n}")
+        width = n.bit_length()
+        value = self._bits(width)
+        while value >= n:
+            value = self._bits(width)
+        return value
+
+    def between(self, low: int, high: int) -> int:
+        """Return an integer of low..high, both included."""
+        return low + self.below(high - low + 1)
+
+    def chance(self, probability: float) -> bool:
+        """Return True with the given probability."""
+        return self._random() < probability
+
+    def choice(self, items: Sequence[T]) -> T:
+        """Return one of the items; there is at least one."""
+        return items[self.below(len(items))]
+
+    def shuffle(self, items: MutableSequence[T]) -> None:
+        """Bring the items into random order, in place (Fisher-Yates)."""
+        for last in range(len(items) - 1, 0, -1):
+            other = self.below(last + 1)
+            items[last], items[other] = items[other], items[last]
+
+    def subset(self, items: Sequence[T], size: int) -> list[T]:
+        """Return `size` of the items in their given order. O(len(items)).
+
+        Source: Knuth, The Art of Computer Programming, vol. 2, 3.4.2, algorithm S.
+        """
+        left = len(items)
+        if size > left:
+            raise ValueError(f"subset: expected at most {left} items, found {size}")
+        taken: list[T] = []
+        random_ = self._random
+        for item in items:
+            if random_() * left < size:
+                taken.append(item)
+                size -= 1
+            left -= 1
+        return taken

@@ -1,0 +1,126 @@
+"""A scenario, and how scenarios become an input file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from gen.geometry import Point, Polygon, translated
+from gen.rng import Rng
+
+LIMIT = 100_000_000  # |x|, |y| of everything; the validator proves it against problem.toml
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """One question: may `robot` make `move` without touching an obstacle?"""
+
+    robot: Polygon
+    move: Point
+    obstacles: list[Polygon]
+
+    @property
+    def vertices(self) -> int:
+        """The number of vertices, robot and obstacles together."""
+        return len(self.robot) + sum(map(len, self.obstacles))
+
+
+def render(scenarios: Iterable[Scenario]) -> bytes:
+    """Return the input file of the scenarios. O(size)."""
+    parts: list[str] = []
+    count = 0
+    for scenario in scenarios:
+        count += 1
+        m, k = len(scenario.robot), len(scenario.obstacles)
+        dx, dy = scenario.move
+        parts.append(f"{m} {k}\n{dx} {dy}")
+        parts.extend([f"{x} {y}" for x, y in scenario.robot])
+        for obstacle in scenario.obstacles:
+            parts.append(str(len(obstacle)))
+            parts.extend([f"{x} {y}" for x, y in obstacle])
+    return "\n".join([str(count), *parts, ""]).encode()
+
+
+def bounds(scenario: Scenario) -> tuple[int, int, int, int]:
+    """Return (left, bottom, right, top) of everything, the robot's end included."""
+    xs = [x for x, _ in scenario.robot]
+    ys = [y for _, y in scenario.robot]
+    dx, dy = scenario.move
+    left, right = min(xs) + min(dx, 0), max(xs) + max(dx, 0)
+    bottom, top = min(ys) + min(dy, 0), max(ys) + max(dy, 0)
+    for obstacle in scenario.obstacles:
+        xs = [x for x, _ in obstacle]
+        ys = [y for _, y in obstacle]
+        left, right = min(left, min(xs)), max(right, max(xs))
+        bottom, top = min(bottom, min(ys)), max(top, max(ys))
+    return left, bottom, right, top
+
+
+def fits(scenario: Scenario) -> bool:
+    """Tell whether everything fits the coordinate limit after some translation."""
+    left, bottom, right, top = bounds(scenario)
+    return right - left <= 2 * LIMIT and top - bottom <= 2 * LIMIT
+
+
+def moved(scenario: Scenario, by: Point) -> Scenario:
+    """Return the whole scene translated."""
+    obstacles = [translated(obstacle, by) for obstacle in scenario.obstacles]
+    return Scenario(translated(scenario.robot, by), scenario.move, obstacles)
+
+
+def into_corner(rng: Rng, scenario: Scenario) -> Scenario:
+    """Return the scene pushed into a random corner of the world: |x| = |y| = LIMIT occur."""
+    left, bottom, right, top = bounds(scenario)
+    dx = rng.choice((-LIMIT - left, LIMIT - right))
+    dy = rng.choice((-LIMIT - bottom, LIMIT - top))
+    return moved(scenario, (dx, dy))
+
+
+def settled(rng: Rng, scenario: Scenario, *, corner: bool) -> Scenario:
+    """Return the scene somewhere near the origin but inside the world, or in a corner of it."""
+    if corner:
+        return into_corner(rng, scenario)
+    left, bottom, right, top = bounds(scenario)
+    x, y = -(left + right) // 2, -(bottom + top) // 2  # from here the middle is the origin
+    play_x = min(LIMIT - (right - left + 1) // 2 - 1, right - left)
+    play_y = min(LIMIT - (top - bottom + 1) // 2 - 1, top - bottom)
+    if play_x < 0 or play_y < 0:
+        return into_corner(rng, scenario)
+    return moved(scenario, (x + rng.between(-play_x, play_x), y + rng.between(-play_y, play_y)))
+
+
+def disguised(rng: Rng, scenario: Scenario, *, reorder: bool = True) -> Scenario:
+    """Return the same question in another dress.
+
+    One of the eight symmetries of the grid, or of sixteen with start and end of the
+    move exchanged; every polygon begins at a random vertex; with `reorder` the obstacles
+    come in random order.
+    """
+    robot, move, obstacles = scenario.robot, scenario.move, list(scenario.obstacles)
+    if rng.chance(0.5):
+        robot, move = translated(robot, move), (-move[0], -move[1])
+    turns, mirror = rng.below(4), rng.chance(0.5)
+    if reorder:
+        rng.shuffle(obstacles)
+    return Scenario(
+        _rotated_start(rng, _turned(robot, turns, mirror)),
+        _turned([move], turns, mirror)[0],
+        [_rotated_start(rng, _turned(obstacle, turns, mirror)) for obstacle in obstacles],
+    )
+
+
+def _turned(polygon: Polygon, turns: int, mirror: bool) -> Polygon:
+    """Return the polygon after quarter turns and an optional reflection, counter-clockwise."""
+    if turns == 1:
+        polygon = [(-y, x) for x, y in polygon]
+    elif turns == 2:
+        polygon = [(-x, -y) for x, y in polygon]
+    elif turns == 3:
+        polygon = [(y, -x) for x, y in polygon]
+    return [(-x, y) for x, y in reversed(polygon)] if mirror else polygon
+
+
+def _rotated_start(rng: Rng, polygon: Polygon) -> Polygon:
+    """Return the same polygon written down from a random vertex."""
+    start = rng.below(len(polygon))
+    return polygon[start:] + polygon[:start]

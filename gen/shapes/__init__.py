@@ -1,0 +1,1 @@
+"""Strictly convex polygons on the integer grid."""
