@@ -137,7 +137,7 @@ def sum_is_above_origin(
 
 
 class Floor:
-    """The lower chain of a convex polygon: growing xs, growing slopes.
+    """The lower chain of a convex polygon: growing xs, slopes that never fall.
 
     `slopes` holds the slope keys of the edges, each computed when it is looked at.
     """
@@ -182,20 +182,10 @@ def sweep_floor(xs: list[int], ys: list[int], dx: int, dy: int) -> Floor:
     # The move is one more edge, put in where its slope belongs: what is to the right
     # of it is taken at the end of the move, or, if the robot moves left, at the start.
     cut = bisect_left(LazySlopes(xs, ys), (dy << SLOPE_BITS) // dx)
-    after = cut
-    if cut + 1 < len(xs):
-        ux, uy = xs[cut + 1] - xs[cut], ys[cut + 1] - ys[cut]
-        if ux * dy == uy * dx:  # the two edges become one
-            after += 1
+    left_xs, left_ys, right_xs, right_ys = xs[: cut + 1], ys[: cut + 1], xs[cut:], ys[cut:]
     if dx > 0:
-        return Floor(
-            xs[: cut + 1] + [x + dx for x in xs[after:]],
-            ys[: cut + 1] + [y + dy for y in ys[after:]],
-        )
-    return Floor(
-        [x + dx for x in xs[: cut + 1]] + xs[after:],
-        [y + dy for y in ys[: cut + 1]] + ys[after:],
-    )
+        return Floor(left_xs + [x + dx for x in right_xs], left_ys + [y + dy for y in right_ys])
+    return Floor([x + dx for x in left_xs] + right_xs, [y + dy for y in left_ys] + right_ys)
 
 
 def floor_range(xs: list[int], left: int, right: int) -> tuple[int, int]:
