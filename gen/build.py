@@ -17,7 +17,7 @@ from gen.parse import parse
 from gen.plan import HAND_MADE, ROOT, Case
 from gen.scenario import Scenario, render
 from gen.seeds import derive
-from gen.validator import InvalidInputError, load_rules, validate
+from gen.validator import InputError, load_rules, validate
 
 DISAGREEMENTS = ROOT / "build" / "disagreements"
 
@@ -31,7 +31,7 @@ def render_family(family: str, parameters: Mapping[str, int | str], repeat: int)
     content = render(find(family).scenarios(parameters, repeat))
     try:
         validate(io.BytesIO(content), load_rules())
-    except InvalidInputError as fault:
+    except InputError as fault:
         raise FamilyError(
             f"family {family}: these parameters make no valid file: "
             f"line {fault.line}: {fault.reason}"
@@ -48,7 +48,7 @@ def build_case(data: Path, case: Case, expected: Entry | None) -> Entry:
     try:
         content, scenarios, parameters = _input(data, case)
         summary = validate(io.BytesIO(content), load_rules(case.group))
-    except InvalidInputError as fault:
+    except InputError as fault:
         raise BuildError(f"{case.path}.in:{fault.line}: {fault.reason}") from None
     except FamilyError as error:
         raise BuildError(f"{case.path}: {error}") from None

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from gen import manifest
 from gen.plan import Case
-from gen.validator import InvalidInputError, Rules, load_rules, validate
+from gen.validator import InputError, Rules, load_rules, validate
 
 
 def check_file(path: Path, rules: Rules, name: str = "") -> list[str]:
@@ -16,7 +16,7 @@ def check_file(path: Path, rules: Rules, name: str = "") -> list[str]:
     try:
         with path.open("rb") as stream:
             validate(stream, rules)
-    except InvalidInputError as fault:
+    except InputError as fault:
         return [f"{name}:{fault.line}: {fault.reason}"]
     except OSError as error:
         return [f"{name}: cannot be read: {error.strerror}"]

@@ -39,7 +39,7 @@ _SINGLE = re.compile(rb"(0|-?[1-9][0-9]{0,17})\n")
 Vertex = tuple[int, int]
 
 
-class InvalidInputError(Exception):
+class InputError(Exception):
     """The input is not valid: `line` (1-based) and what is wrong there."""
 
     def __init__(self, line: int, reason: str) -> None:
@@ -97,7 +97,7 @@ def load_rules(group: str | None = None, path: Path = _ROOT / "problem.toml") ->
 
 
 def validate(stream: BinaryIO, rules: Rules) -> Summary:
-    """Read the stream to its end; return what it holds, or raise InvalidInputError at the first fault.
+    """Read the stream to its end; return what it holds, or raise InputError at the first fault.
 
     O(vertices) time; memory for one polygon.
     """
@@ -120,7 +120,7 @@ class _Reader:
             self._scenario()
         extra = self._readline(_LINE_BYTES)
         if extra:
-            raise InvalidInputError(self.line + 1, f"expected the end of the file, found {_shown(extra)}")
+            raise InputError(self.line + 1, f"expected the end of the file, found {_shown(extra)}")
         return Summary(scenarios, self._vertices, self._pair_sum)
 
     def _scenario(self) -> None:
@@ -131,7 +131,7 @@ class _Reader:
         self._count_vertices(m)
         self._pair_sum += k * m
         if rules.max_pair_sum is not None and self._pair_sum > rules.max_pair_sum:
-            raise InvalidInputError(
+            raise InputError(
                 self.line,
                 f"k * m: expected a sum of at most {rules.max_pair_sum} in this group, "
                 f"found {self._pair_sum} up to here",
@@ -141,7 +141,7 @@ class _Reader:
         self._range(dx, "dx", -reach, reach, "")
         self._range(dy, "dy", -reach, reach, "")
         if rules.zero_displacement and (dx, dy) != (0, 0):
-            raise InvalidInputError(self.line, f"dx dy: expected 0 0 in this group, found {dx} {dy}")
+            raise InputError(self.line, f"dx dy: expected 0 0 in this group, found {dx} {dy}")
         self._polygon("robot", m, (dx, dy))
         for number in range(1, k + 1):
             name = f"obstacle {number}"
@@ -153,7 +153,7 @@ class _Reader:
         self._vertices += count
         most = self._rules.max_vertices
         if self._vertices > most:
-            raise InvalidInputError(
+            raise InputError(
                 self.line,
                 f"vertices: expected at most {most} in the file, found {self._vertices} up to here",
             )
@@ -169,7 +169,7 @@ class _Reader:
             self.line += 1
             match = _PAIR.fullmatch(line)
             if match is None:
-                raise InvalidInputError(self.line, f"{name}, vertex {index}: " + _fault(line, 2))
+                raise InputError(self.line, f"{name}, vertex {index}: " + _fault(line, 2))
             x, y = int(match[1]), int(match[2])
             if not (low_x <= x <= high_x and low_y <= y <= high_y):
                 self._out_of_bounds(f"{name}, vertex {index}: ", (x, y), move)
@@ -202,7 +202,7 @@ class _Reader:
                 kind = "clockwise turn" if turn < 0 else "no turn"
                 if (fx, fy) == (0, 0) or (ex, ey) == (0, 0):
                     at, kind = (index if (fx, fy) == (0, 0) else at), "the same vertex again"
-                raise InvalidInputError(
+                raise InputError(
                     first_line + at,
                     f"{name}, vertex {at + 1}: {kind} (cross {turn})",
                 )
@@ -210,7 +210,7 @@ class _Reader:
             windings += is_upper and not was_upper
             bx, by, ex, ey, was_upper = cx, cy, fx, fy, is_upper
         if windings != 1:
-            raise InvalidInputError(
+            raise InputError(
                 first_line + len(vertices) - 1,
                 f"{name}: expected one turn around, found {windings}",
             )
@@ -221,7 +221,7 @@ class _Reader:
         self.line += 1
         match = _SINGLE.fullmatch(line)
         if match is None:
-            raise InvalidInputError(self.line, f"{where}{name}: " + _fault(line, 1))
+            raise InputError(self.line, f"{where}{name}: " + _fault(line, 1))
         value = int(match[1])
         self._range(value, name, low, high, where)
         return value
@@ -232,12 +232,12 @@ class _Reader:
         self.line += 1
         match = _PAIR.fullmatch(line)
         if match is None:
-            raise InvalidInputError(self.line, f"{where}{name}: " + _fault(line, 2))
+            raise InputError(self.line, f"{where}{name}: " + _fault(line, 2))
         return int(match[1]), int(match[2])
 
     def _range(self, value: int, name: str, low: int, high: int, where: str) -> None:
         if not low <= value <= high:
-            raise InvalidInputError(self.line, f"{where}{name}: expected {low}..{high}, found {value}")
+            raise InputError(self.line, f"{where}{name}: expected {low}..{high}, found {value}")
 
 
 def _fault(line: bytes, count: int) -> str:
@@ -285,7 +285,7 @@ def main(arguments: list[str]) -> int:
     except OSError as error:
         print(f"{name}: cannot be read: {error.strerror}", file=sys.stderr)
         return 2
-    except InvalidInputError as fault:
+    except InputError as fault:
         print(f"{name}:{fault.line}: {fault.reason}", file=sys.stderr)
         return 1
     return 0

@@ -1,4 +1,4 @@
-"""Shape constructors. Each result is counter-clockwise and strictly convex, anywhere near (0, 0)."""
+"""Shape constructors: counter-clockwise, strictly convex, anywhere near (0, 0)."""
 
 from __future__ import annotations
 

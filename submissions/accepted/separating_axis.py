@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+"""Separating axis, found by cutting caps: no chains are merged, no sum is walked.
+
+The sweep S misses an obstacle Q if and only if some line separates them; that is, if
+and only if some direction's outermost point of the difference D = Q - S (which lies
+beyond a chord, away from D) still has the origin strictly outside.
+
+Two outermost points a, b of D with the origin on the right of the chord a -> b leave
+a cap of D beyond the chord. Let p be the point of D farthest out there (the tangent
+parallel to the chord). Either the origin is beyond p's tangent: separated. Or it is in
+the triangle a p b: they meet. Or it is beyond one of the chords a -> p, p -> b, which
+has a smaller cap. Every cut leaves a cap of at most a quarter of the area, in which
+the grid soon has no room: about 30 cuts at most, most often three to ten.
+
+The outermost point of D is that of Q less the opposite one of S. Both come from a
+binary search among the polygon's edges by angle; few vertices are simply tried.
+
+Time: O(m) per robot, and O((log m + min(n, log n)) * cuts) + O(n) per obstacle.
+"""
+
+import sys
+from bisect import bisect_left
+
+TRIED_ONE_BY_ONE = 8  # for so few vertices a search costs more than trying them all
+BITS = 62  # directions with |x| + |y| < 2**30 differ by more than 2**-60
+
+
+def main() -> None:
+    numbers = list(map(int, sys.stdin.buffer.read().split()))
+    answers = []
+    at = 1
+    for _ in range(numbers[0]):
+        m, k, dx, dy = numbers[at : at + 4]
+        at += 4
+        robot = numbers[at : at + 2 * m : 2], numbers[at + 1 : at + 2 * m : 2]
+        at += 2 * m
+        farthest_in_robot = farthest_search(*robot)
+        free = True
+        for _ in range(k):
+            n = numbers[at]
+            end = at + 1 + 2 * n
+            if free:  # after a collision the other obstacles are only skipped
+                obstacle = numbers[at + 1 : end : 2], numbers[at + 2 : end : 2]
+                free = not meet(farthest_search(*obstacle), farthest_in_robot, dx, dy)
+            at = end
+        answers.append("YES" if free else "NO")
+    print("\n".join(answers))
+
+
+def meet(farthest_in_obstacle, farthest_in_robot, dx, dy):
+    """Tell whether D = Q - S holds the origin, boundary included."""
+
+    def farthest(wx, wy):
+        """Return the point of D farthest to the right of the direction w."""
+        qx, qy = farthest_in_obstacle(wx, wy)
+        px, py = farthest_in_robot(-wx, -wy)
+        if wx * dy > wy * dx:  # S is the robot at its start and at its end
+            return qx - px - dx, qy - py - dy
+        return qx - px, qy - py
+
+    # The first chord runs from the right end of D to its left end, or back.
+    ax, ay = farthest(0, 1)
+    if ax < 0:
+        return False
+    bx, by = farthest(0, -1)
+    if bx > 0:
+        return False
+    if ax * by > ay * bx:
+        ax, ay, bx, by = bx, by, ax, ay
+    # Now the origin is on the right of a -> b, or on the chord itself.
+    while True:
+        wx, wy = bx - ax, by - ay
+        px, py = farthest(wx, wy)
+        if wx * py > wy * px:
+            return False  # the origin is beyond all of D
+        if ax * py < ay * px:
+            bx, by = px, py
+        elif px * by < py * bx:
+            ax, ay = px, py
+        else:
+            return True  # the origin is in the triangle a p b
+
+
+def farthest_search(xs, ys):
+    """Return a function of w: the vertex (x, y) farthest to the right of the direction w."""
+    n = len(xs)
+    if n <= TRIED_ONE_BY_ONE:
+        corners = list(zip(xs, ys))
+        return lambda wx, wy: min(corners, key=lambda p: wx * p[1] - wy * p[0])
+
+    # From the lowest, leftmost vertex on, the edges' angles grow from 0 to 360 degrees;
+    # that vertex is farthest which the edges turn past the direction w at.
+    lowest = min(ys)
+    start = min((i for i, y in enumerate(ys) if y == lowest), key=xs.__getitem__)
+    xs = xs[start:] + xs[: start + 1]
+    ys = ys[start:] + ys[: start + 1]
+    keys = [angle_key(xs[i + 1] - xs[i], ys[i + 1] - ys[i]) for i in range(n)]
+
+    def farthest(wx, wy):
+        i = bisect_left(keys, angle_key(wx, wy))
+        return xs[i], ys[i]
+
+    return farthest
+
+
+def angle_key(x, y):
+    """Return an integer that orders directions by their angle in [0, 360) degrees, exactly."""
+    cosine_like = (x << BITS) // (abs(x) + abs(y))
+    return -cosine_like if y > 0 or (y == 0 and x > 0) else cosine_like + (2 << BITS)
+
+
+if __name__ == "__main__":
+    main()
