@@ -22,7 +22,8 @@ import sys
 from bisect import bisect_left
 
 TRIED_ONE_BY_ONE = 8  # for so few vertices a search costs more than trying them all
-BITS = 62  # directions with |x| + |y| < 2**30 differ by more than 2**-60
+NARROW = 64  # the first chord looks out by about 1 / 64 to either side
+BITS = 68  # an edge (|x| + |y| < 2**30) and any direction below 2**37 differ by over 2**-67
 
 
 def main() -> None:
@@ -32,23 +33,29 @@ def main() -> None:
     for _ in range(numbers[0]):
         m, k, dx, dy = numbers[at : at + 4]
         at += 4
-        robot = numbers[at : at + 2 * m : 2], numbers[at + 1 : at + 2 * m : 2]
+        px, py = numbers[at : at + 2 * m : 2], numbers[at + 1 : at + 2 * m : 2]
         at += 2 * m
-        farthest_in_robot = farthest_search(*robot)
+        farthest_in_robot = farthest_search(px, py)
+        middle = (px[0] + px[m // 2] + dx) // 2, (py[0] + py[m // 2] + dy) // 2
         free = True
         for _ in range(k):
             n = numbers[at]
             end = at + 1 + 2 * n
             if free:  # after a collision the other obstacles are only skipped
-                obstacle = numbers[at + 1 : end : 2], numbers[at + 2 : end : 2]
-                free = not meet(farthest_search(*obstacle), farthest_in_robot, dx, dy)
+                qx, qy = numbers[at + 1 : end : 2], numbers[at + 2 : end : 2]
+                guess = middle[0] - qx[0], middle[1] - qy[0] or 1
+                free = not meet(farthest_search(qx, qy), farthest_in_robot, dx, dy, guess)
             at = end
         answers.append("YES" if free else "NO")
     print("\n".join(answers))
 
 
-def meet(farthest_in_obstacle, farthest_in_robot, dx, dy):
-    """Tell whether D = Q - S holds the origin, boundary included."""
+def meet(farthest_in_obstacle, farthest_in_robot, dx, dy, guess):
+    """Tell whether D = Q - S holds the origin, boundary included.
+
+    guess: about the direction from the middle of D to the origin. Only the time depends
+    on it.
+    """
 
     def farthest(wx, wy):
         """Return the point of D farthest to the right of the direction w."""
@@ -58,15 +65,18 @@ def meet(farthest_in_obstacle, farthest_in_robot, dx, dy):
             return qx - px - dx, qy - py - dy
         return qx - px, qy - py
 
-    # The first chord runs from the right end of D to its left end, or back.
-    ax, ay = farthest(0, 1)
-    if ax < 0:
-        return False
-    bx, by = farthest(0, -1)
-    if bx > 0:
-        return False
-    if ax * by > ay * bx:
-        ax, ay, bx, by = bx, by, ax, ay
+    # The first chord: a narrow one where the origin is, as seen from the middle of D.
+    wx, wy = -guess[1], guess[0]
+    ax, ay = farthest(NARROW * wx + guess[0], NARROW * wy + guess[1])
+    bx, by = farthest(NARROW * wx - guess[0], NARROW * wy - guess[1])
+    if ax * by >= ay * bx:
+        # The origin is not out there; the chord from the right end of D to its left end, or back.
+        ax, ay = farthest(0, 1)
+        bx, by = farthest(0, -1)
+        if ax < 0 or bx > 0:
+            return False
+        if ax * by > ay * bx:
+            ax, ay, bx, by = bx, by, ax, ay
     # Now the origin is on the right of a -> b, or on the chord itself.
     while True:
         wx, wy = bx - ax, by - ay

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """Takes the sweep for the parallelogram between the two vertices that lie farthest to the sides.
 
-What the robot covers before and behind those two vertices is missing; without a displacement,
-everything is.
+What the robot covers before and behind those two vertices is missing.
 """
 
 import sys

@@ -1,0 +1,67 @@
+"""Each submission gets, in each group, the verdict that problem.toml declares for it.
+
+A group ends at its first failure, which decides its verdict. The groups whose files
+are rebuilt, not committed, are left out while they are not built.
+"""
+
+import pytest
+
+from judge.cases import DATA, find_cases
+from judge.judging import Options, judge, machine_scale
+from judge.languages import LanguageError, toolchain
+from judge.sandbox import Sandbox
+from judge.spec import ROOT, load
+from judge.submission import read_submission
+
+PROBLEM = load()
+GROUPS = PROBLEM.group_names
+BUILT = {case.group for case in find_cases(DATA, PROBLEM)}
+COMMITTED = [name for name in GROUPS if name in ("sample", "static", "small")]
+REBUILT = [name for name in GROUPS if name not in COMMITTED]
+
+
+@pytest.fixture(scope="session")
+def scale():
+    """How many times slower than the calibrating machine this one is; timed once."""
+    with Sandbox() as sandbox:
+        return machine_scale(PROBLEM, sandbox) or 1.0
+
+
+def verdicts(name, groups, scale):
+    """Judge a submission; return its verdict in each of the groups, with the case that decided."""
+    submission = read_submission(ROOT / "submissions" / name)
+    try:
+        toolchain(submission.language)
+    except LanguageError as error:
+        pytest.skip(str(error))
+    options = Options(groups=tuple(groups), stop_on_first=True, scale=scale)
+    outcome = judge(submission, PROBLEM, options)
+    return {group.name: group for group in outcome.groups}
+
+
+def differences(name, groups, scale):
+    """Return a line for each group whose verdict is not a declared one."""
+    lines = []
+    for group, result in verdicts(name, groups, scale).items():
+        permitted = PROBLEM.expected(name, group)
+        if result.verdict not in permitted:
+            failed = [r for r in result.cases if r.verdict not in (None, "AC")]
+            where = f" at {failed[0].case.name}: {failed[0].message}" if failed else ""
+            lines.append(
+                f"{name}: {group}: expected {'|'.join(sorted(permitted))}, "
+                f"found {result.verdict}{where}"
+            )
+    return lines
+
+
+@pytest.mark.parametrize("name", PROBLEM.submissions)
+def test_verdicts_in_the_committed_groups(name, scale):
+    assert differences(name, COMMITTED, scale) == []
+
+
+@pytest.mark.parametrize("name", PROBLEM.submissions)
+def test_verdicts_in_the_rebuilt_groups(name, scale):
+    missing = [group for group in REBUILT if group not in BUILT]
+    if missing:
+        pytest.skip(f"no data for {', '.join(missing)}: run 'make data'")
+    assert differences(name, REBUILT, scale) == []
