@@ -27,6 +27,16 @@ class Case:
     answer: Path
 
 
+def group_of(name: str) -> str:
+    """Return the group of a case by its name: `secret/large/03` is of `large`.
+
+    >>> group_of("sample/01"), group_of("secret/large/03"), group_of("loose")
+    ('sample', 'large', '.')
+    """
+    parent, _, _ = name.rpartition("/")
+    return parent.removeprefix("secret/") or "."
+
+
 def find_cases(directory: Path, problem: Problem) -> list[Case]:
     """Return every case below `directory`: by group as declared, then by name.
 
@@ -46,7 +56,7 @@ def find_cases(directory: Path, problem: Problem) -> list[Case]:
         answer = input_path.with_suffix(".ans")
         if not answer.is_file():
             raise CasesError(f"{answer}: the answer file of this test case is missing")
-        cases.append(Case(name, _group_of(name), input_path, answer))
+        cases.append(Case(name, group_of(name), input_path, answer))
     for answer in sorted(directory.rglob("*.ans")):
         if not answer.with_suffix(".in").is_file():
             raise CasesError(f"{answer.with_suffix('.in')}: the input file of this case is missing")
@@ -84,11 +94,6 @@ def select(cases: Sequence[Case], groups: Sequence[str], globs: Sequence[str]) -
         if not any(_matches(case.name, glob) for case in chosen):
             raise CasesError(f"no test case matches {glob!r} (they look like {chosen[0].name!r})")
     return [c for c in chosen if not globs or any(_matches(c.name, glob) for glob in globs)]
-
-
-def _group_of(name: str) -> str:
-    parent, _, _ = name.rpartition("/")
-    return parent.removeprefix("secret/") or "."
 
 
 def _matches(name: str, glob: str) -> bool:

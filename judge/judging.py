@@ -12,6 +12,7 @@ from pathlib import Path
 from judge.cases import DATA, Case, check_built, find_cases, select
 from judge.compare import compare
 from judge.facts import RunLimits
+from judge.manifest import check_complete, check_sums, load_manifest
 from judge.results import CaseResult, Judging, first_failure, group_results, not_run
 from judge.sandbox import Command, Sandbox, SandboxError
 from judge.spec import ROOT, Problem
@@ -74,11 +75,7 @@ def judge(
     exception, Ctrl-C included, no process and no file is left.
     """
     options, events = options or Options(), events or Events()
-    all_cases = find_cases(options.data, problem)
-    if options.data == DATA:
-        wanted = [g for g in problem.group_names if not options.groups or g in options.groups]
-        check_built(all_cases, wanted, options.data)
-    cases = select(all_cases, options.groups, options.globs)
+    all_cases, cases = _chosen(problem, options)
     with Sandbox() as sandbox:
         scale = options.scale
         if scale is None and options.time_limit_s is None:
@@ -133,6 +130,19 @@ def judge(
         )
 
 
+def _chosen(problem: Problem, options: Options) -> tuple[list[Case], list[Case]]:
+    """Return all cases of the data, and the chosen ones, held to the manifest."""
+    manifest = load_manifest(options.data)
+    all_cases = find_cases(options.data, problem)
+    if options.data == DATA:
+        wanted = options.groups or problem.group_names
+        check_built(all_cases, [g for g in problem.group_names if g in wanted], options.data)
+        check_complete(manifest, all_cases, wanted)
+    cases = select(all_cases, options.groups, options.globs)
+    check_sums(manifest, cases)
+    return all_cases, cases
+
+
 def run_case(sandbox: Sandbox, command: Command, limits: RunLimits, case: Case) -> CaseResult:
     """Run a program on one case and judge it. A failure of the sandbox, twice, is JE."""
     failure = ""
@@ -174,7 +184,11 @@ def machine_scale(problem: Problem, sandbox: Sandbox) -> float | None:
     )
     if not (case.input.is_file() and case.answer.is_file() and REFERENCE.is_file()):
         return None
-    reference = compile_submission(read_submission(REFERENCE), problem.limits, sandbox)
+    check_sums(load_manifest(DATA), [case])
+    try:
+        reference = compile_submission(read_submission(REFERENCE), problem.limits, sandbox)
+    except CompileError as error:
+        raise JudgeError(f"the reference does not compile: {error}") from None
     limits = RunLimits(
         problem.calibration.reference_cpu_s * CALIBRATION_LIMIT_FACTOR,
         problem.limits.memory_mib,
