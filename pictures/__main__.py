@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import itertools
 import sys
 from pathlib import Path
 
@@ -43,7 +42,7 @@ def sample_figures() -> dict[Path, str]:
 
 def sample_picture(sample: Path) -> str:
     """Return the picture of all scenarios of one sample, with their answers."""
-    scenarios = list(read_scenarios(sample))
+    scenarios = read_scenarios(sample)
     answers = sample.with_suffix(".ans").read_text().split()
     captions = [f"scenario {i}: {answer}" for i, answer in enumerate(answers, 1)]
     return picture(scenarios, captions)
@@ -69,10 +68,10 @@ def draw_figures(*, check: bool) -> int:
 
 def show_scenario(file: Path, number: int) -> int:
     """Print one scenario's picture. Return the exit status."""
-    chosen = next(itertools.islice(read_scenarios(file), max(number - 1, 0), None), None)
-    if chosen is None or number < 1:
-        raise ReadError(f"{file}: there is no scenario {number}")
-    print(picture([chosen], [f"{file.name}, scenario {number}"]), end="")
+    scenarios = read_scenarios(file)
+    if not 1 <= number <= len(scenarios):
+        raise ReadError(f"{file}: there is no scenario {number}, expected 1 to {len(scenarios)}")
+    print(picture([scenarios[number - 1]], [f"{file.name}, scenario {number}"]), end="")
     return 0
 
 
