@@ -10,7 +10,7 @@ a cap of D beyond the chord. Let p be the point of D farthest out there (the tan
 parallel to the chord). Either the origin is beyond p's tangent: separated. Or it is in
 the triangle a p b: they meet. Or it is beyond one of the chords a -> p, p -> b, which
 has a smaller cap. Every cut leaves a cap of at most a quarter of the area, in which
-the grid soon has no room: about 30 cuts at most, most often three to ten.
+the grid soon has no room: about 30 cuts at most, mostly three to eight.
 
 The outermost point of D is that of Q less the opposite one of S. Both come from a
 binary search among the polygon's edges by angle; few vertices are simply tried.
