@@ -80,8 +80,13 @@ def edges(boundary):
 
 def by_angle(a, b):
     """Compare two directions by angle from 0 up to 360 degrees: negative if a comes first."""
-    lower_a, lower_b = a < (0, 0) if a[1] == 0 else a[1] < 0, b < (0, 0) if b[1] == 0 else b[1] < 0
-    return lower_a - lower_b or a[1] * b[0] - a[0] * b[1]
+    halves = is_lower_half(*a) - is_lower_half(*b)
+    return halves or a[1] * b[0] - a[0] * b[1]
+
+
+def is_lower_half(x, y):
+    """Is the direction (x, y) between 180 and 360 degrees, 180 included?"""
+    return y < 0 or (y == 0 and x < 0)
 
 
 def from_lowest(polygon):
