@@ -126,7 +126,8 @@ def _group_table(judging: Judging) -> Table:
 def _print_failure(console: Console, failure: CaseResult) -> None:
     headline = Text.assemble("first failure: ", verdict_text(failure.verdict))
     console.print(headline.append(f" on {failure.case.name}: {failure.message}"), soft_wrap=True)
-    console.print(Text(f"  input  {failure.case.input}\n  answer {failure.case.answer}"))
+    paths = Text(f"  input  {failure.case.input}\n  answer {failure.case.answer}")
+    console.print(paths, soft_wrap=True)  # a path broken in two cannot be copied
 
 
 def _limits_line(judging: Judging) -> str:

@@ -107,8 +107,13 @@ class Sandbox:
         return Facts(**reply)
 
     def new_directory(self, prefix: str) -> Path:
-        """Return an empty directory that lives as long as the sandbox."""
-        return Path(tempfile.mkdtemp(dir=self.scratch, prefix=prefix))
+        """Return an empty directory that lives as long as the sandbox. Raises SandboxError."""
+        if self._closed:
+            raise SandboxError("the judging was ended")
+        try:
+            return Path(tempfile.mkdtemp(dir=self.scratch, prefix=prefix))
+        except OSError as error:
+            raise SandboxError(f"{self.scratch}: no scratch space: {error.strerror}") from None
 
     def close(self) -> None:
         """End all runs and keepers, and remove the scratch directory."""

@@ -1,0 +1,181 @@
+"""checker.py as a user starts it: messages, exit status, nothing left."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+ECHO = "import sys\nsys.stdout.write(sys.stdin.read())\n"
+ECHO_CPP = "#include <iostream>\nint main() { std::cout << std::cin.rdbuf(); }\n"
+Source = Callable[[str, str], Path]
+Checker = Callable[..., "subprocess.CompletedProcess[str]"]
+
+
+def one_line(done: subprocess.CompletedProcess[str]) -> str:
+    """Return the message of a run that could not be judged."""
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert done.stderr.count("\n") == 1
+    return done.stderr
+
+
+def test_accepted(checker: Checker, source: Source, data: Path) -> None:
+    done = checker(source("echo.py", ECHO), "--data", data, "--time-limit", 3)
+    assert done.returncode == 0, done.stderr
+    assert "AC  30 of 100 points" in done.stdout
+    assert re.search(r"AC +\d\.\d\d s CPU +\d\.\d\d s wall +\d+ MiB  secret/small/02", done.stdout)
+    assert "\x1b" not in done.stdout
+
+
+@pytest.mark.parametrize("arguments", [(), ("-",), ("--language", "cpp")])
+def test_source_from_standard_input(
+    checker: Checker, data: Path, arguments: tuple[str, ...]
+) -> None:
+    if shutil.which("g++") is None:
+        pytest.skip("g++ is not installed")
+    done = checker(*arguments, "--data", data, "--group", "sample", input=ECHO_CPP)
+    assert done.returncode == 0, done.stderr
+    assert "standard input (C++)" in done.stdout
+
+
+def test_wrong_answer_says_where(checker: Checker, source: Source, data: Path) -> None:
+    done = checker(source("w.py", "print('YES')\n"), "--data", data)
+    assert done.returncode == 1
+    assert (
+        "first failure: WA on secret/static/01: scenario 1: expected NO, found YES" in done.stdout
+    )
+    assert str(data / "secret/static/01.in") in done.stdout
+
+
+def test_a_fake_verdict_stays_output(checker: Checker, source: Source, data: Path) -> None:
+    done = checker(source("f.py", "print('\\x1b[2J AC 100 of 100 points')\n"), "--data", data)
+    assert done.returncode == 1
+    assert "\x1b" not in done.stdout + done.stderr
+
+
+def test_json(checker: Checker, source: Source, data: Path, tmp_path: Path) -> None:
+    report = tmp_path / "report.json"
+    code = "s = open(0).read()\nprint(s if len(s) < 9 else 'NO')\n"
+    done = checker(source("w.py", code), "--data", data, "--json", report, "--stop-on-first")
+    assert done.returncode == 1
+    table = json.loads(report.read_text())
+    assert table["schema_version"] == 1
+    assert (table["verdict"], table["score"], table["max_score"]) == ("WA", 15, 100)
+    assert table["groups"][2] == {"name": "small", "verdict": "WA", "score": 0, "max_score": 15}
+    case = table["cases"][3]
+    assert (case["case"], case["group"], case["verdict"]) == ("secret/small/02", "small", "WA")
+    assert case["message"].startswith("scenario 2: expected NO, found the end")
+    assert {"cpu_s", "wall_s", "memory_mib"} <= set(case)
+    assert sorted(p.name for p in tmp_path.iterdir() if "report" in p.name) == ["report.json"]
+
+
+def test_compile_error(checker: Checker, source: Source, data: Path) -> None:
+    if shutil.which("g++") is None:
+        pytest.skip("g++ is not installed")
+    done = checker(source("e.cpp", "int main() { return x; }\n"), "--data", data)
+    assert done.returncode == 1
+    assert "does not compile" in done.stdout
+    assert "submission.cpp:1:21: error" in done.stdout
+    assert "CE  0 of 100 points" in done.stdout
+
+
+def test_what_cannot_be_judged(
+    checker: Checker, source: Source, data: Path, tmp_path: Path
+) -> None:
+    echo = source("echo.py", ECHO)
+    for arguments, words in [
+        ((tmp_path / "none.py",), "no such file"),
+        ((tmp_path,), "found a directory"),
+        ((source("empty.py", ""),), "found nothing in it"),
+        ((echo, "--language", "cobol"), "unknown language 'cobol'"),
+        ((echo, "--data", tmp_path / "nowhere"), "no such directory"),
+        ((echo, "--data", data, "--group", "larg"), "no group 'larg'"),
+        ((echo, "--data", data, "--case", "zzz"), "no test case matches"),
+        ((echo, "--data", data, "--json", tmp_path / "no" / "x.json"), "no such directory"),
+    ]:
+        assert words in one_line(checker(*arguments))
+    assert "standard input: expected a source text" in one_line(checker())
+
+
+def test_usage(checker: Checker, source: Source) -> None:
+    echo = source("echo.py", ECHO)
+    assert "examples:" in checker("--help").stdout
+    for arguments in [("--jobs", "0"), ("--jobs", "x"), ("--time-limit", "nan"), ("--what",)]:
+        done = checker(echo, *arguments)
+        assert done.returncode == 2
+        assert "usage:" in done.stderr
+
+
+def test_started_with_another_python(source: Source, data: Path) -> None:
+    python = next((p for p in ("/usr/bin/python3", "/bin/python3") if Path(p).is_file()), None)
+    if python is None:
+        pytest.skip("the system has no Python of its own")
+    if not (ROOT / ".venv/bin/python").exists():
+        pytest.skip("the kit has no environment of its own here")
+    command = [python, str(ROOT / "checker.py"), str(source("echo.py", ECHO)), "--data", str(data)]
+    done = subprocess.run(command, capture_output=True, text=True, cwd="/", timeout=60)
+    assert done.returncode == 0, done.stderr
+
+
+def test_before_set_up(tmp_path: Path) -> None:
+    """A copy of the kit without environment, started with a Python without packages."""
+    shutil.copy(ROOT / "checker.py", tmp_path)
+    shutil.copytree(ROOT / "judge", tmp_path / "judge")
+    python = os.path.realpath(sys.executable)
+    command = [python, "-S", str(tmp_path / "checker.py"), "x.py"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 2
+    assert done.stderr == "checker.py: the kit is not set up: run 'make setup' first\n"
+
+
+def test_a_broken_declaration(source: Source, tmp_path: Path) -> None:
+    shutil.copy(ROOT / "checker.py", tmp_path)
+    shutil.copytree(ROOT / "judge", tmp_path / "judge")
+    text = (ROOT / "problem.toml").read_text()
+    (tmp_path / "problem.toml").write_text(text.replace("memory_mib", "memory_mb", 1))
+    command = [sys.executable, str(tmp_path / "checker.py"), str(source("echo.py", ECHO))]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 2
+    assert "unknown key 'memory_mb'; did you mean 'memory_mib'?" in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_interrupted(source: Source, data: Path, tmp_path: Path, number: signal.Signals) -> None:
+    scratch = tmp_path / "scratch"
+    scratch.mkdir()
+    mark = tmp_path / "started"
+    endless = source("endless.py", f"open({str(mark)!r}, 'w')\nwhile True: pass\n")
+    command = [sys.executable, str(ROOT / "checker.py"), str(endless), "--data", str(data)]
+    with subprocess.Popen(
+        [*command, "--jobs", "2", "--json", str(tmp_path / "report.json")],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "TMPDIR": str(scratch)},
+    ) as process:
+        give_up = time.monotonic() + 30
+        while not mark.exists() and time.monotonic() < give_up:
+            time.sleep(0.02)
+        process.send_signal(number)
+        _, stderr = process.communicate(timeout=30)
+    assert process.returncode == 130
+    assert stderr == "checker.py: interrupted, nothing is left running\n"
+    assert list(scratch.iterdir()) == []
+    assert not (tmp_path / "report.json").exists()
+    for other in Path("/proc").glob("[0-9]*/cmdline"):
+        try:
+            assert str(scratch).encode() not in other.read_bytes()
+        except OSError:
+            continue

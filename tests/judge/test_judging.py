@@ -1,0 +1,177 @@
+"""Whole judgings, made in this process."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from collections.abc import Callable
+from concurrent.futures import Executor, Future
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from judge.cases import Case
+from judge.facts import RunLimits
+from judge.judging import Events, Options, judge, run_case
+from judge.results import CaseResult, Judging
+from judge.sandbox import Command, Sandbox
+from judge.spec import load
+from judge.submission import read_submission
+from judge.verdict import Verdict
+
+PROBLEM = load()
+ECHO = "import sys\nsys.stdout.write(sys.stdin.read())\n"
+Source = Callable[[str, str], Path]
+
+
+def judged(path: Path, data: Path, **options: Any) -> Judging:
+    executor = options.pop("executor", None)
+    events = options.pop("events", None)
+    settings = Options(data=data, **({"time_limit_s": 5.0} | options))
+    return judge(read_submission(path), PROBLEM, settings, executor=executor, events=events)
+
+
+def test_points_and_order(source: Source, data: Path) -> None:
+    heard: list[CaseResult] = []
+    outcome = judged(source("echo.py", ECHO), data, jobs=2, events=Events(result=heard.append))
+    assert outcome.verdict is Verdict.AC
+    assert (outcome.score, outcome.max_score, outcome.partial) == (30, 100, False)
+    assert [(g.name, g.score, g.max_score) for g in outcome.groups] == [
+        ("sample", 0, 0),
+        ("static", 15, 15),
+        ("small", 15, 15),
+    ]
+    assert heard == list(outcome.cases)
+    assert all(0 < r.cpu_s < 5 and 0 < r.wall_s < 10 and r.memory_mib > 1 for r in heard)
+
+
+def test_one_wrong_case_loses_its_group_only(source: Source, data: Path) -> None:
+    code = "s = open(0).read().split()\ns[2:] = s[2:] and ['NO']\nprint(*s)\n"
+    outcome = judged(source("wrong.py", code), data)
+    assert outcome.verdict is Verdict.WA
+    assert [(g.verdict, g.score) for g in outcome.groups] == [
+        (Verdict.AC, 0),
+        (Verdict.AC, 15),
+        (Verdict.WA, 0),
+    ]
+    failure = outcome.first_failure
+    assert failure is not None
+    assert failure.case.name == "secret/small/02"
+    assert failure.message == "scenario 3: expected YES, found NO (line 1, column 7)"
+
+
+def test_the_first_failure_in_order_is_the_verdict(source: Source, data: Path) -> None:
+    code = "s = open(0).read()\nif len(s) < 9: raise SystemExit(len(s))\nprint(1)\n"
+    outcome = judged(source("both.py", code), data, jobs=2)
+    assert [r.verdict for r in outcome.cases] == ["RTE", "RTE", "RTE", "WA"]
+    assert outcome.verdict is Verdict.RTE
+
+
+def test_a_part_of_a_group_scores_nothing(source: Source, data: Path) -> None:
+    outcome = judged(source("echo.py", ECHO), data, globs=("*/01",))
+    assert outcome.partial
+    assert (outcome.verdict, outcome.score) == (Verdict.AC, 15)
+    assert [g.whole for g in outcome.groups] == [True, True, False]
+
+
+@pytest.mark.parametrize("jobs", [1, 3])
+def test_stop_on_first(source: Source, data: Path, jobs: int) -> None:
+    code = "s = open(0).read()\nprint('?' if s == 'YES\\nYES\\n' else s)\n"
+    outcome = judged(source("wrong.py", code), data, stop_on_first=True, jobs=jobs)
+    assert [r.verdict for r in outcome.cases] == ["AC", "AC", "WA", None]
+    assert outcome.cases[3].message == "not run: an earlier case of its group failed"
+    assert outcome.score == 15
+
+
+def test_a_compile_error_is_a_verdict(source: Source, data: Path) -> None:
+    outcome = judged(source("broken.py", "def f(:\n"), data)
+    assert outcome.verdict is Verdict.CE
+    assert outcome.score == 0
+    assert "SyntaxError" in outcome.message
+    assert 'File "submission.py", line 1' in outcome.message
+    assert {g.verdict for g in outcome.groups} == {Verdict.CE}
+    assert {r.verdict for r in outcome.cases} == {None}
+
+
+def test_a_source_over_the_limit_is_a_compile_error(source: Source, data: Path) -> None:
+    text = ECHO + "#" * (PROBLEM.limits.code_kib << 10)
+    assert "limit 256 KiB" in judged(source("long.py", text), data).message
+
+
+def test_public_class_of_any_name_in_java(source: Source, data: Path) -> None:
+    if shutil.which("javac") is None:
+        pytest.skip("javac is not installed")
+    code = (
+        "class Helper { static int x; }\n"
+        "public class Robot {\n"
+        "  public static void main(String[] a) throws Exception {\n"
+        "    System.in.transferTo(System.out);\n"
+        "    System.out.flush();\n"
+        "  }\n"
+        "}\n"
+    )
+    assert judged(source("any.java", code), data).verdict is Verdict.AC
+
+
+def test_the_limit_is_scaled_and_never_below_the_declared(source: Source, data: Path) -> None:
+    path = source("echo.py", ECHO)
+    scaled = judged(path, data, time_limit_s=None, scale=1.5)
+    assert (scaled.time_limit_s, scaled.scale) == (1.5 * PROBLEM.limits.time_limit_s, 1.5)
+    asked = judged(path, data, time_limit_s=2.5)
+    assert (asked.time_limit_s, asked.scale) == (2.5, None)
+
+
+class Overloaded(Executor):
+    """Every run it makes uses more CPU time than it would alone."""
+
+    def __init__(self) -> None:
+        self.runs = 0
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        self.runs += 1
+        future: Future[Any] = Future()
+        result = fn(*args, **kwargs)
+        slow = CaseResult(result.case, Verdict.TLE, 9.0, 9.0, 1.0, "slow")
+        future.set_result(slow)
+        return future
+
+
+def test_over_the_limit_beside_others_runs_again_alone(source: Source, data: Path) -> None:
+    executor = Overloaded()
+    outcome = judged(source("echo.py", ECHO), data, jobs=2, executor=executor)
+    assert executor.runs == 4
+    assert outcome.verdict is Verdict.AC
+    assert {(r.retried, r.first_verdict) for r in outcome.cases} == {(True, Verdict.TLE)}
+
+
+def test_a_tle_alone_is_final(source: Source, data: Path) -> None:
+    outcome = judged(source("echo.py", ECHO), data, jobs=1, executor=Overloaded())
+    assert outcome.verdict is Verdict.TLE
+    assert {r.retried for r in outcome.cases} == {False}
+
+
+class Broken(Executor):
+    """Its workers die."""
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        future.set_exception(RuntimeError("worker died"))
+        return future
+
+
+def test_a_broken_worker_loses_no_result(source: Source, data: Path) -> None:
+    assert judged(source("echo.py", ECHO), data, jobs=2, executor=Broken()).verdict is Verdict.AC
+
+
+def test_a_lost_keeper_is_a_judge_error_never_a_wrong_verdict(data: Path, sandbox: Sandbox) -> None:
+    kill_parent = "import os\nos.kill(os.getppid(), 9)\nwhile True: pass\n"
+    case = Case("sample/01", "sample", data / "sample/01.in", data / "sample/01.ans")
+    result = run_case(
+        sandbox,
+        Command((sys.executable, "-I", "-S", "-c", kill_parent)),
+        RunLimits(time_limit_s=2, memory_mib=100, output_mib=1),
+        case,
+    )
+    assert result.verdict is Verdict.JE
+    assert "keeper" in result.message

@@ -1,0 +1,241 @@
+"""The facts of runs: what is measured, what is stopped, and that nothing remains."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from judge.facts import RunLimits, Stop
+from judge.sandbox import Command, Sandbox, SandboxError
+
+if TYPE_CHECKING:
+    from tests.judge.conftest import RunPython
+
+LIMITS = RunLimits(time_limit_s=5, memory_mib=100, output_mib=1)
+
+
+def running(mark: str) -> list[int]:
+    """Return the processes whose command line holds `mark`."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            if mark.encode() in (process / "cmdline").read_bytes():
+                found.append(int(process.name))
+        except OSError:
+            continue
+    return [pid for pid in found if pid != os.getpid()]
+
+
+def test_exit_status_output_and_errors(run_python: RunPython, tmp_path: Path) -> None:
+    facts = run_python("import os; os.write(1, b'out'); os.write(2, b'err'); os._exit(7)")
+    assert (facts.exit_status, facts.signal, facts.stopped) == (7, None, None)
+    assert (tmp_path / "out").read_bytes() == b"out"
+    assert facts.stderr == b"err"
+    assert facts.output_bytes == 6
+
+
+def test_a_signal_is_not_an_exit_status(run_python: RunPython) -> None:
+    assert run_python("import os; os.kill(os.getpid(), 11)").signal == 11
+    by_choice = run_python("import os; os._exit(139)")
+    assert (by_choice.exit_status, by_choice.signal) == (139, None)
+
+
+def test_stdin_is_a_pipe_and_cannot_be_overwritten(run_python: RunPython, tmp_path: Path) -> None:
+    file = tmp_path / "in"
+    file.write_bytes(b"line\n" * 100_000)
+    code = (
+        "import os, stat\n"
+        "assert stat.S_ISFIFO(os.fstat(0).st_mode)\n"
+        "os.write(1, str(len(open(0, 'rb').read())).encode())\n"
+    )
+    assert run_python(code, stdin=file).exit_status == 0
+    assert (tmp_path / "out").read_bytes() == b"500000"
+    assert file.read_bytes() == b"line\n" * 100_000
+
+
+def test_unread_input_does_not_hang(run_python: RunPython, tmp_path: Path) -> None:
+    file = tmp_path / "in"
+    file.write_bytes(b"1" * (4 << 20))
+    assert run_python("import os; os.close(0); os.write(1, b'x')", stdin=file).wall_s < 3
+
+
+def test_cpu_time_is_that_of_the_program_not_of_the_wall(run_python: RunPython) -> None:
+    code = "import time\nwhile time.process_time() < 0.4: pass\ntime.sleep(0.3)\n"
+    facts = run_python(code)
+    assert 0.38 < facts.cpu_s < 0.7
+    assert facts.wall_s > 0.65
+
+
+@pytest.mark.parametrize(
+    "reaping",
+    [
+        pytest.param("os.wait()", id="waited-for"),
+        pytest.param("time.sleep(0.9)", id="left-behind"),
+        pytest.param("signal.signal(signal.SIGCHLD, signal.SIG_IGN); time.sleep(0.9)", id="auto"),
+    ],
+)
+def test_cpu_time_of_children_counts(run_python: RunPython, reaping: str) -> None:
+    code = (
+        "import os, signal, time\n"
+        "if os.fork() == 0:\n"
+        "    os.setsid()\n"
+        "    while time.process_time() < 0.4: pass\n"
+        "    os._exit(0)\n"
+        f"{reaping}\n"
+    )
+    assert run_python(code).cpu_s > 0.3
+
+
+def test_busy_loop_is_stopped_a_little_above_the_limit(run_python: RunPython) -> None:
+    facts = run_python("while True: pass", time_limit_s=0.3)
+    assert facts.stopped is Stop.CPU
+    assert 0.5 < facts.cpu_s < 1.0
+
+
+def test_ignored_signals_do_not_help(run_python: RunPython) -> None:
+    code = (
+        "import signal\n"
+        "for s in set(signal.Signals) - {signal.SIGKILL, signal.SIGSTOP}: signal.signal(s, 1)\n"
+        "while True: pass\n"
+    )
+    assert run_python(code, time_limit_s=0.2).stopped is Stop.CPU
+
+
+def test_sleepers_end_by_wall_time(sandbox: Sandbox, tmp_path: Path) -> None:
+    facts = sandbox.run(
+        Command(("/bin/sleep", "60")),
+        RunLimits(time_limit_s=0.1, memory_mib=50, output_mib=1),
+        stdin=None,
+        stdout=tmp_path / "out",
+    )
+    assert facts.stopped is Stop.WALL
+    assert facts.cpu_s < 0.1
+    assert 3 < facts.wall_s < 6
+
+
+def test_memory_of_one_process(run_python: RunPython) -> None:
+    facts = run_python("x = b'1' * (90 << 20)", memory_mib=200)
+    assert facts.stopped is None
+    assert 90 < facts.memory_mib < 120
+    over = run_python("x = b'1' * (250 << 20)\nwhile True: pass", memory_mib=200)
+    assert over.stopped is Stop.MEMORY
+    assert over.memory_mib > 200
+
+
+def test_memory_of_many_processes_is_summed_but_shared_pages_count_once(
+    run_python: RunPython,
+) -> None:
+    own = "x = b'1' * (60 << 20)\n"
+    shared = (
+        "import os, time\n{}for _ in range(3):\n    if os.fork() == 0: break\n{}time.sleep(0.5)"
+    )
+    assert run_python(shared.format("", own), memory_mib=150).stopped is Stop.MEMORY
+    assert run_python(shared.format(own, ""), memory_mib=150).stopped is None
+
+
+@pytest.mark.parametrize("descriptor", [1, 2])
+def test_output_floods_are_stopped(run_python: RunPython, descriptor: int, tmp_path: Path) -> None:
+    facts = run_python(f"import os\nwhile True: os.write({descriptor}, b'x' * 9999)")
+    assert facts.stopped is Stop.OUTPUT
+    assert (tmp_path / "out").stat().st_size <= 1 << 20
+    assert len(facts.stderr) <= 8192
+
+
+def test_an_orphan_that_holds_the_pipes_is_killed_not_waited_for(run_python: RunPython) -> None:
+    mark = f"orphan-{os.getpid()}-{time.monotonic_ns()}"
+    code = (
+        "import os, sys\n"
+        "if os.fork() == 0:\n"
+        "    os.setsid()\n"
+        "    if os.fork() == 0:\n"
+        f"        os.execv(sys.executable, [sys.executable, '-c', 'input() # {mark}'])\n"
+        "    os._exit(0)\n"
+        "os.wait()\n"
+        "os.write(1, b'done')\n"
+    )
+    facts = run_python(code)
+    assert facts.exit_status == 0
+    assert facts.wall_s < 3
+    assert running(mark) == []
+
+
+def test_many_processes_are_stopped_and_none_is_left(run_python: RunPython) -> None:
+    mark = f"many-{os.getpid()}-{time.monotonic_ns()}"
+    code = (
+        "import os, time\n"
+        "for _ in range(6): os.fork()\n"  # 64, bounded, and every one lives on
+        f"time.sleep(30) # {mark}\n"
+    )
+    assert run_python(code, processes=20).stopped is Stop.PROCESSES
+    assert running(mark) == []
+
+
+def test_the_environment_and_descriptors_are_bare(run_python: RunPython, tmp_path: Path) -> None:
+    code = "import os; print(sorted(os.environ), sorted(map(int, os.listdir('/proc/self/fd')))[:4])"
+    assert run_python(code).exit_status == 0
+    names, fds = (tmp_path / "out").read_text().strip().split("] ")
+    assert names == "['HOME', 'LC_CTYPE', 'TMPDIR'" or names == "['HOME', 'TMPDIR'"
+    assert fds == "[0, 1, 2, 3]"  # 3 is the listing's own
+
+
+def test_each_run_starts_in_an_empty_directory_of_its_own(
+    run_python: RunPython, tmp_path: Path
+) -> None:
+    code = "import os; print(os.listdir()); open('left', 'w'); os.mkdir('d'); os.chmod('d', 0)"
+    for _ in range(2):
+        assert run_python(code).exit_status == 0
+        assert (tmp_path / "out").read_text() == "[]\n"
+
+
+def test_a_program_that_does_not_exist(sandbox: Sandbox, tmp_path: Path) -> None:
+    with pytest.raises(SandboxError, match=r"/no/such: .*No such file"):
+        sandbox.run(Command(("/no/such",)), LIMITS, stdin=None, stdout=tmp_path / "out")
+    facts = sandbox.run(Command(("/bin/true",)), LIMITS, stdin=None, stdout=tmp_path / "out")
+    assert facts.exit_status == 0
+
+
+def test_closing_leaves_no_file_and_no_process() -> None:
+    with Sandbox() as sandbox:
+        sandbox.run(Command(("/bin/true",)), LIMITS, stdin=None, stdout=sandbox.scratch / "out")
+        scratch = sandbox.scratch
+        assert running(str(scratch))
+    assert not scratch.exists()
+    assert running(str(scratch)) == []
+    with pytest.raises(SandboxError, match="ended"):
+        sandbox.run(Command(("/bin/true",)), LIMITS, stdin=None, stdout=scratch / "out")
+
+
+def test_a_killed_judge_leaves_nothing(tmp_path: Path) -> None:
+    """SIGKILL in the middle of a run: the keeper ends the program and removes the files."""
+    mark = f"killed-{os.getpid()}-{time.monotonic_ns()}"
+    code = (
+        "import sys\n"
+        "from pathlib import Path\n"
+        "from judge.sandbox import *\n"
+        "from judge.facts import RunLimits\n"
+        "box = Sandbox()\n"
+        f"command = Command((sys.executable, '-c', 'while True: pass # {mark}'))\n"
+        "limits = RunLimits(time_limit_s=60, memory_mib=100, output_mib=1)\n"
+        "box.run(command, limits, stdin=None, stdout=box.scratch / 'out')\n"
+    )
+    scratch = tmp_path / "scratch"
+    scratch.mkdir()
+    env = {**os.environ, "TMPDIR": str(scratch)}
+    with subprocess.Popen(
+        [sys.executable, "-c", code], env=env, cwd=Path(__file__).parents[2]
+    ) as p:
+        give_up = time.monotonic() + 20
+        while len(running(mark)) < 2 and time.monotonic() < give_up:  # the judge's own text has it
+            time.sleep(0.02)
+        assert len(running(mark)) == 2
+        p.kill()
+    while (running(mark) or list(scratch.iterdir())) and time.monotonic() < give_up:
+        time.sleep(0.02)
+    assert running(mark) == []
+    assert list(scratch.iterdir()) == []

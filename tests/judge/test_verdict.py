@@ -1,0 +1,64 @@
+"""One row for every way from facts to a verdict."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from judge.compare import Mismatch
+from judge.facts import Facts, RunLimits, Stop
+from judge.verdict import Verdict, decide
+
+LIMITS = RunLimits(time_limit_s=2.0, memory_mib=100, output_mib=1)
+FINE = Facts(
+    exit_status=0, signal=None, cpu_s=1.0, wall_s=1.1, memory_mib=50, output_bytes=9, stopped=None
+)
+KILLED = {"exit_status": None, "signal": 9}
+WRONG = Mismatch(scenario=3, line=3, column=1, expected="NO", found="YES")
+
+ROWS = [
+    # changed facts, comparison, verdict, words of the message
+    ({}, None, Verdict.AC, ""),
+    ({}, WRONG, Verdict.WA, "scenario 3: expected NO"),
+    ({"exit_status": 3}, None, Verdict.RTE, "exit status 3"),
+    ({"exit_status": 3}, WRONG, Verdict.RTE, "exit status 3"),
+    ({"exit_status": 1, "stderr": b"a\nKeyError: 7\n"}, None, Verdict.RTE, "1: KeyError: 7"),
+    ({"exit_status": 139}, None, Verdict.RTE, "exit status 139"),
+    ({"exit_status": None, "signal": 11}, None, Verdict.RTE, "SIGSEGV"),
+    ({"exit_status": None, "signal": 40}, None, Verdict.RTE, "signal 40"),
+    ({"cpu_s": 2.0}, None, Verdict.AC, ""),
+    ({"cpu_s": 2.01}, None, Verdict.TLE, "2.01 s of CPU time, limit 2.00 s"),
+    ({"cpu_s": 2.01}, WRONG, Verdict.TLE, "CPU time"),
+    ({"cpu_s": 2.01, "exit_status": 1}, None, Verdict.TLE, "CPU time"),
+    ({**KILLED, "stopped": Stop.CPU, "cpu_s": 2.3}, WRONG, Verdict.TLE, "CPU time"),
+    ({**KILLED, "stopped": Stop.WALL, "wall_s": 7.0}, WRONG, Verdict.TLE, "slept or waited"),
+    ({"wall_s": 6.9}, None, Verdict.AC, ""),
+    ({"memory_mib": 100.0}, None, Verdict.AC, ""),
+    ({"memory_mib": 100.1}, None, Verdict.MLE, "limit 100 MiB"),
+    ({**KILLED, "stopped": Stop.MEMORY, "memory_mib": 120}, WRONG, Verdict.MLE, "120 MiB"),
+    ({"memory_mib": 120, "exit_status": 1}, None, Verdict.MLE, "120 MiB"),
+    ({"output_bytes": 1 << 20}, None, Verdict.AC, ""),
+    ({"output_bytes": (1 << 20) + 1}, WRONG, Verdict.OLE, "more than 1 MiB of output"),
+    ({**KILLED, "stopped": Stop.OUTPUT}, WRONG, Verdict.OLE, "output"),
+    ({**KILLED, "stopped": Stop.PROCESSES}, WRONG, Verdict.RTE, "128 processes"),
+]
+
+
+@pytest.mark.parametrize(("change", "mismatch", "verdict", "words"), ROWS)
+def test_facts_to_verdict(
+    change: dict[str, object], mismatch: Mismatch | None, verdict: Verdict, words: str
+) -> None:
+    judgement = decide(replace(FINE, **change), LIMITS, mismatch)  # type: ignore[arg-type] # fields by name
+    assert judgement.verdict is verdict
+    assert words in judgement.message
+    assert (judgement.message == "") == (verdict is Verdict.AC)
+
+
+def test_every_stop_has_a_row() -> None:
+    assert {row[0].get("stopped") for row in ROWS} == {None, *Stop}
+
+
+def test_a_message_cannot_move_the_cursor() -> None:
+    facts = replace(FINE, exit_status=1, stderr=b"\x1b[2J\x1b[H AC")
+    assert "\x1b" not in decide(facts, LIMITS, None).message
