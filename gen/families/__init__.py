@@ -1,6 +1,6 @@
 """The families: functions that make the scenarios of one test case from a seed."""
 
-from gen.families import contacts, hugging, scenes
+from gen.families import contacts, containment, decoys, hugging, parallel, rooms, scenes
 from gen.families.registry import FAMILIES, Family, FamilyError, Parameters, find, nearest
 
 __all__ = [
@@ -9,8 +9,12 @@ __all__ = [
     "FamilyError",
     "Parameters",
     "contacts",
+    "containment",
+    "decoys",
     "find",
     "hugging",
     "nearest",
+    "parallel",
+    "rooms",
     "scenes",
 ]

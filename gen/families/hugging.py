@@ -78,11 +78,14 @@ def hugging(
     Half of them are placed at an edge of the sweep, half at a vertex. With flat >= 1
     every other one is a triangle that faces the sweep with an edge of up to so many
     lattice steps. Everything lies in a corner of the world. deciding: none; any; the
-    last; pairs: none and any in turn.
+    last; pairs: in half of the scenes none, in half any.
     """
     shapes = obstacle_shapes(rng, n, obstacles)
-    for number in range(scenarios):
-        who = deciding if deciding != "pairs" else ("none", "any")[number % 2]
+    turns = [deciding] * scenarios
+    if deciding == "pairs":
+        turns = [("none", "any")[number % 2] for number in range(scenarios)]
+        rng.shuffle(turns)
+    for who in turns:
         for _ in range(TRIES):
             scenario = _hugged(rng, big_robot(rng, robot, m), obstacles, shapes, far, flat, who)
             if fits(scenario):
