@@ -42,7 +42,7 @@ class RunLimits:
 
     @property
     def kill_wall_s(self) -> float:
-        """Wall seconds at which the run is ended: sleepers, and machines under heavy load."""
+        """Wall seconds at which a sleeper is ended; waiting for a processor does not count."""
         return WALL_FACTOR * self.time_limit_s + WALL_MARGIN_S
 
     @property

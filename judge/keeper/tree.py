@@ -51,6 +51,11 @@ class Tree:
         self.memory_mib = max(self.memory_mib, memory_mib)
         self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()))
 
+    def starved_s(self) -> float:
+        """Return how long a live process was ready to run while others had the processors."""
+        stats = [read(f"/proc/{pid}/schedstat").split() for pid in descendants()]
+        return max((int(stat[1]) / 1e9 for stat in stats if stat), default=0.0)
+
     def end(self) -> None:
         """Kill and reap everything; when it returns, no child is left. Raises TimeoutError."""
         give_up = time.monotonic() + REAP_TIMEOUT_S

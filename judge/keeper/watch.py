@@ -14,6 +14,7 @@ from judge.keeper.tree import Tree, peak_mib
 
 CONTROL = 0
 SAMPLE_S = 0.02
+STARVED_AT_MOST_S = 60.0
 
 
 class JudgeGoneError(Exception):
@@ -93,7 +94,8 @@ def watch(
                 return "processes"
             if tree.cpu_s > request["kill_cpu_s"]:
                 return "cpu"
-            if now - started > request["kill_wall_s"]:
+            waited_s = now - started - request["kill_wall_s"]
+            if waited_s > 0 and waited_s > min(tree.starved_s(), STARVED_AT_MOST_S):
                 return "wall"
     finally:
         os.close(pidfd)

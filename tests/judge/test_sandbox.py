@@ -72,24 +72,43 @@ def test_cpu_time_is_that_of_the_program_not_of_the_wall(run_python: RunPython) 
     assert facts.wall_s > 0.65
 
 
+CHILD = "if os.fork() == 0:\n    while time.process_time() < {burn_s}: pass\n    os._exit(0)\n"
+
+
 @pytest.mark.parametrize(
-    "reaping",
+    "code",
     [
-        pytest.param("os.wait()", id="waited-for"),
-        pytest.param("time.sleep(0.9)", id="left-behind"),
-        pytest.param("signal.signal(signal.SIGCHLD, signal.SIG_IGN); time.sleep(0.9)", id="auto"),
+        pytest.param(CHILD.format(burn_s=0.4) + "os.wait()\n", id="waited-for"),
+        pytest.param(
+            "if os.fork() == 0:\n"
+            "    if os.fork() == 0:\n"
+            "        while time.process_time() < 0.4: pass\n"
+            "    os._exit(0)\n"
+            "time.sleep(1)\n",
+            id="orphan",
+        ),
+        pytest.param(
+            "signal.signal(signal.SIGCHLD, signal.SIG_IGN)\n"
+            "for _ in range(4):\n"
+            "    if os.fork() == 0:\n"
+            "        while time.process_time() < 0.15: pass\n"
+            "        os._exit(0)\n"
+            "    time.sleep(0.3)\n",
+            id="reaped-automatically",
+        ),
     ],
 )
-def test_cpu_time_of_children_counts(run_python: RunPython, reaping: str) -> None:
-    code = (
-        "import os, signal, time\n"
-        "if os.fork() == 0:\n"
-        "    os.setsid()\n"
-        "    while time.process_time() < 0.4: pass\n"
-        "    os._exit(0)\n"
-        f"{reaping}\n"
-    )
-    assert run_python(code).cpu_s > 0.3
+def test_cpu_time_of_children_counts(run_python: RunPython, code: str) -> None:
+    assert run_python("import os, signal, time\n" + code).cpu_s > 0.35
+
+
+def test_cpu_time_of_children_shorter_than_a_sample_stops_too(run_python: RunPython) -> None:
+    code = "import os, time\nwhile True:\n    if os.fork() == 0:\n"
+    code += "        while time.process_time() < 0.005: pass\n"
+    code += "        os._exit(0)\n    os.wait()\n"
+    facts = run_python(code, time_limit_s=0.3)
+    assert facts.stopped is Stop.CPU
+    assert facts.cpu_s > 0.3
 
 
 def test_busy_loop_is_stopped_a_little_above_the_limit(run_python: RunPython) -> None:
@@ -154,7 +173,8 @@ def test_an_orphan_that_holds_the_pipes_is_killed_not_waited_for(run_python: Run
         "if os.fork() == 0:\n"
         "    os.setsid()\n"
         "    if os.fork() == 0:\n"
-        f"        os.execv(sys.executable, [sys.executable, '-c', 'input() # {mark}'])\n"
+        f"        sleep = 'import time; time.sleep(60) # {mark}'\n"
+        "        os.execv(sys.executable, [sys.executable, '-c', sleep])\n"
         "    os._exit(0)\n"
         "os.wait()\n"
         "os.write(1, b'done')\n"
