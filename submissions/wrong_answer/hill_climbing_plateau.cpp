@@ -63,13 +63,13 @@ class Sweep {
     Point any_point() const { return corners_[0]; }
 
     // The vertex farthest to the right of a line with the given direction. Climbs, either way
-    // round, from the vertex of the last question.
-    Point rightmost(Point direction) {
+    // round, from `top`, the index of some vertex, and leaves the index of the result there.
+    Point rightmost(Point direction, size_t& top) const {
         const size_t n = corners_.size();
         auto height = [&](size_t i) { return -cross(direction, corners_[i % n]); };
-        while (height(top_ + 1) > height(top_)) top_ = (top_ + 1) % n;
-        while (height(top_ + n - 1) > height(top_)) top_ = (top_ + n - 1) % n;
-        return corners_[top_];
+        while (height(top + 1) > height(top)) top = (top + 1) % n;
+        while (height(top + n - 1) > height(top)) top = (top + n - 1) % n;
+        return corners_[top];
     }
 
     // Is the point inside or on the boundary? Bisects the fan at corner 0. O(log m).
@@ -86,7 +86,6 @@ class Sweep {
     }
 
   private:
-    size_t top_ = 0;
     Polygon corners_;  // from the lowest, then leftmost, on
 };
 
@@ -97,14 +96,16 @@ bool meets_chord(Point a, Point b, Point c, Point d) {
     return side(c, d, a) * side(c, d, b) < 0;
 }
 
-bool meets(Sweep& sweep, const Polygon& obstacle) {
+bool meets(const Sweep& sweep, const Polygon& obstacle) {
     for (Point vertex : obstacle)
         if (sweep.contains(vertex)) return true;
 
     bool sweep_inside = true;
+    size_t right = 0, left = 0;  // of the last edge, not far from those of the next
     Point a = obstacle.back();
     for (Point b : obstacle) {
-        if (meets_chord(a, b, sweep.rightmost(b - a), sweep.rightmost(a - b))) return true;
+        Point c = sweep.rightmost(b - a, right), d = sweep.rightmost(a - b, left);
+        if (meets_chord(a, b, c, d)) return true;
         sweep_inside = sweep_inside && side(a, b, sweep.any_point()) >= 0;
         a = b;
     }
@@ -138,7 +139,7 @@ int main() {
         int64_t m = read_integer();
         int64_t k = read_integer();
         Point displacement = read_point();
-        Sweep sweep(read_polygon(m), displacement);
+        const Sweep sweep(read_polygon(m), displacement);
 
         bool free = true;
         for (; k > 0; --k) {

@@ -16,14 +16,11 @@ def main():
     for _ in range(numbers[0]):
         m, k, dx, dy = numbers[at : at + 4]
         robot, at = read_polygon(numbers, at + 4, m)
-        places = [
-            [(x * STEPS + dx * i, y * STEPS + dy * i) for x, y in robot] for i in range(STEPS + 1)
-        ]
         answer = "YES"
         for _ in range(k):
             obstacle, at = read_polygon(numbers, at + 1, numbers[at])
             # After the first collision the rest is read, but not looked at.
-            if answer == "YES" and any(touch(place, scaled(obstacle)) for place in places):
+            if answer == "YES" and touch_on_the_way(robot, dx, dy, obstacle):
                 answer = "NO"
         answers.append(answer)
     print("\n".join(answers))
@@ -35,9 +32,13 @@ def read_polygon(numbers, at, n):
     return list(zip(numbers[at:end:2], numbers[at + 1 : end : 2])), end
 
 
-def scaled(polygon):
-    """Return the polygon on the grid of 1 / STEPS."""
-    return [(x * STEPS, y * STEPS) for x, y in polygon]
+def touch_on_the_way(robot, dx, dy, obstacle):
+    """Does the robot touch the obstacle at any of the moments 0, 1, ..., STEPS?"""
+    scaled = [(x * STEPS, y * STEPS) for x, y in obstacle]
+    return any(
+        touch([(x * STEPS + dx * i, y * STEPS + dy * i) for x, y in robot], scaled)
+        for i in range(STEPS + 1)
+    )
 
 
 def touch(p, q):
