@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 DATA = ROOT / "data"
 USER_CASES = "cases.toml"  # below data/: cases that users added, kept by every build
+
+Parameters = dict[str, int | str]
 
 HAND_MADE = ""  # stands for the family of a case whose .in is written by hand
 
@@ -28,7 +29,7 @@ class Case:
     group: str
     name: str
     family: str = HAND_MADE
-    parameters: Mapping[str, int | str] = field(default_factory=dict)
+    parameters: Parameters = field(default_factory=dict)
     repeat: int = 1
 
     @property
@@ -39,7 +40,10 @@ class Case:
         )
 
 
-HUGE = {"reach": 90_000_000, "size": 90_000_000, "corner": 1}
+# Parameters that many cases share: scenes nearly as wide as the world, and corners of it.
+HUGE: Parameters = {"reach": 90_000_000, "size": 90_000_000, "corner": 1}
+STILL: Parameters = {"move": "zero"}
+FULL: Parameters = {"vertices": 500_000}
 
 PLANNED = (
     Case("sample", "01-first"),
@@ -47,16 +51,50 @@ PLANNED = (
     Case("sample", "03-touch"),
     Case("sample", "04-notch"),
     # static: do two convex polygons meet?
-    Case("static", "01-tiny", "tiny", {"far": 0}),
-    Case("static", "02-contacts", "contacts", {"move": "zero"}),
-    Case("static", "03-scenes", "random_scenes", {"move": "zero"}),
-    Case("static", "04-contacts-huge", "contacts", {"move": "zero", **HUGE}),
-    Case("static", "05-scenes-huge", "random_scenes", {"move": "zero", **HUGE}),
+    Case("static", "01-world", "world", {"far": 0}),
+    Case(
+        "static", "02-world", "world", {"far": 0, "grid": 2, "order": "random", "vertices": 2_000}
+    ),
+    Case("static", "03-tiny", "tiny", {"far": 0}),
+    Case("static", "04-contacts", "contacts", STILL),
+    Case("static", "05-contacts-huge", "contacts", STILL | HUGE),
+    Case("static", "06-scenes", "random_scenes", STILL),
+    Case("static", "07-scenes-huge", "random_scenes", STILL | HUGE),
+    Case("static", "08-containment", "containment", STILL),
+    Case("static", "09-parallel", "parallel", STILL),
+    Case("static", "10-decoys", "decoys", STILL),
+    Case("static", "11-across", "across", STILL),
+    Case("static", "12-rooms", "rooms", STILL),
+    Case("static", "13-mixture", "mixture", STILL),
+    Case("static", "14-round", "contacts", STILL | {"most": 60, "reach": 4_000, "size": 2_000}),
     # small: everything that the brute force can still agree to
-    Case("small", "01-tiny", "tiny"),
-    Case("small", "02-contacts", "contacts"),
-    Case("small", "03-scenes", "random_scenes"),
-    Case("small", "04-contacts-huge", "contacts", {"far": 90_000_000, **HUGE}),
+    Case("small", "01-world", "world", {"grid": 2, "order": "random", "vertices": 2_000}),
+    Case("small", "02-tiny", "tiny"),
+    Case("small", "03-tiny-quads", "tiny", {"most": 6, "size": 5, "far": 5}),
+    Case("small", "04-contacts", "contacts"),
+    Case("small", "05-contacts-start", "contacts", {"place": "start"}),
+    Case("small", "06-contacts-side", "contacts", {"place": "side"}),
+    Case("small", "07-contacts-end", "contacts", {"place": "end"}),
+    Case("small", "08-contacts-huge", "contacts", HUGE | {"far": 90_000_000}),
+    Case(
+        "small",
+        "09-contacts-far",
+        "contacts",
+        {"reach": 1_000, "size": 1_000, "far": 190_000_000, "corner": 1, "place": "side"},
+    ),
+    Case("small", "10-scenes", "random_scenes"),
+    Case("small", "11-scenes-huge", "random_scenes", HUGE | {"far": 90_000_000}),
+    Case("small", "12-scenes-crowded", "random_scenes", {"obstacles": 60, "size": 5}),
+    Case("small", "13-containment", "containment"),
+    Case("small", "14-containment-huge", "containment", HUGE | {"size": 20_000_000}),
+    Case("small", "15-parallel", "parallel"),
+    Case("small", "16-parallel-long", "parallel", {"bundle": 20, "reach": 5_000, "stretch": 2_000}),
+    Case("small", "17-decoys", "decoys"),
+    Case("small", "18-across", "across"),
+    Case("small", "19-rooms", "rooms"),
+    Case("small", "20-rooms-sheared", "rooms", {"shear": 20_000, "corner": 1}),
+    Case("small", "21-mixture", "mixture"),
+    Case("small", "22-hugging", "hugging", {"scenarios": 5, "m": 100, "n": 10, "obstacles": 30}),
     # large: sizes, but little k * m
     Case(
         "large",
@@ -64,13 +102,77 @@ PLANNED = (
         "hugging",
         {"scenarios": 1, "m": 250_000, "obstacles": 4, "n": 62_500, "deciding": "none"},
     ),
-    Case("large", "02-tiny", "tiny", {"scenarios": 100_000, "vertices": 500_000, "empty": 34}),
+    Case("large", "02-tiny", "tiny", FULL | {"scenarios": 100_000, "empty": 34}),
+    Case("large", "03-contacts", "contacts", FULL | HUGE | {"far": 90_000_000}),
+    Case("large", "04-mixture", "mixture", {"vertices": 60_000}),
+    Case("large", "05-world", "world", FULL),
+    Case(
+        "large",
+        "06-one-on-one",
+        "hugging",
+        {"scenarios": 8, "m": 30_000, "n": 30_000, "obstacles": 1, "far": 20_000_000},
+    ),
+    Case(
+        "large",
+        "07-thousands",
+        "hugging",
+        {"scenarios": 1, "m": 1_000, "obstacles": 1_000, "n": 400, "deciding": "last"},
+    ),
+    Case(
+        "large",
+        "08-longest-robot",
+        "hugging",
+        {"scenarios": 1, "m": 499_997, "obstacles": 1, "deciding": "none", "robot": "random"},
+    ),
+    Case(
+        "large",
+        "09-most-obstacles",
+        "hugging",
+        {"scenarios": 1, "m": 3, "obstacles": 166_665, "far": 1_000_000, "deciding": "last"},
+    ),
+    Case(
+        "large",
+        "10-arcs",
+        "hugging",
+        {"scenarios": 4, "m": 20_000, "obstacles": 8, "n": 5_000, "robot": "arc"},
+    ),
+    Case(
+        "large",
+        "11-one-on-one-random",
+        "hugging",
+        {"scenarios": 12, "m": 15_000, "n": 20_000, "obstacles": 1, "robot": "random"},
+    ),
     # many: one unit decides, wherever one looks
     Case(
         "many",
         "01-triangles",
         "hugging",
         {"scenarios": 1, "m": 250_000, "obstacles": 83_333, "flat": 50, "deciding": "last"},
+    ),
+    Case(
+        "many",
+        "02-triangles-free",
+        "hugging",
+        {"scenarios": 1, "m": 200_000, "obstacles": 100_000, "deciding": "none", "robot": "random"},
+    ),
+    Case(
+        "many",
+        "03-triangles-far",
+        "hugging",
+        {"scenarios": 2, "m": 100_000, "obstacles": 50_000, "flat": 3, "far": 90_000_000},
+    ),
+    Case("many", "04-scenes", "hugging", {"scenarios": 40, "m": 4_000, "obstacles": 1_500}),
+    Case(
+        "many",
+        "05-polygons",
+        "hugging",
+        {"scenarios": 2, "m": 120_000, "obstacles": 1_800, "n": 72, "far": 10_000_000},
+    ),
+    Case(
+        "many",
+        "06-arcs",
+        "hugging",
+        {"scenarios": 10, "m": 5_000, "obstacles": 8_000, "robot": "arc", "flat": 2},
     ),
 )
 

@@ -1,6 +1,17 @@
 """The families: functions that make the scenarios of one test case from a seed."""
 
-from gen.families import contacts, containment, decoys, hugging, parallel, rooms, scenes
+from gen.families import (
+    contacts,
+    containment,
+    decoys,
+    hugging,
+    parallel,
+    precision,
+    rooms,
+    scenes,
+    sequences,
+    worlds,
+)
 from gen.families.registry import FAMILIES, Family, FamilyError, Parameters, find, nearest
 
 __all__ = [
@@ -15,6 +26,9 @@ __all__ = [
     "hugging",
     "nearest",
     "parallel",
+    "precision",
     "rooms",
     "scenes",
+    "sequences",
+    "worlds",
 ]

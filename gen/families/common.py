@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from gen.families.registry import FamilyError
 from gen.geometry import Point, Polygon, minus, primitive
 from gen.rng import Rng
-from gen.scenario import Scenario, fits
+from gen.scenario import Scenario, disguised, fits, settled
 from gen.shapes.convex import box, in_box, near_circle, needle, random_convex
 from gen.shapes.edges import directions
+
+_MOST_TRIES = 10_000
 
 MOVES = ("mixed", "zero", "axis", "edge", "tiny", "primitive", "any")
 
@@ -63,20 +66,31 @@ def any_move(rng: Rng, kind: str, far: int, robot: Polygon) -> Point:
     return primitive(vector) if kind == "primitive" else vector
 
 
-def filled(make: Callable[[], Scenario], vertices: int, scenarios: int) -> Iterator[Scenario]:
-    """Yield what `make` returns until a file is full: so many scenarios or vertices."""
+def filled(
+    rng: Rng,
+    make: Callable[[], Scenario | None],
+    *,
+    vertices: int,
+    scenarios: int,
+    corner: bool | int,
+) -> Iterator[Scenario]:
+    """Yield the scenes of `make`, disguised, until a file is full: so many vertices or scenarios.
+
+    What `make` gives up (None), and what does not fit the world, is tried again.
+    corner: push each scene into a corner of the world, so that the limit is reached.
+    FamilyError when it is hopeless.
+    """
+    tries = 0
     while scenarios > 0:
+        tries += 1
+        if tries > _MOST_TRIES:
+            raise FamilyError(f"no scene fits the world in {_MOST_TRIES} tries; make it smaller")
         scenario = make()
+        if scenario is None or not fits(scenario):
+            continue
         vertices -= scenario.vertices
         scenarios -= 1
         if vertices < 0:
             return
-        yield scenario
-
-
-def until_fitting(make: Callable[[], Scenario]) -> Scenario:
-    """Return the first scene of `make` that fits the coordinate limit after a translation."""
-    while True:
-        scenario = make()
-        if fits(scenario):
-            return scenario
+        tries = 0
+        yield settled(rng, disguised(rng, scenario), corner=bool(corner))

@@ -10,7 +10,7 @@ from gen.families.common import MOVES, any_move, any_shape, filled
 from gen.families.registry import Between, Flag, Length, OneOf, Scenarios, Vertices, family
 from gen.geometry import Sweep, sweep
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised, fits, settled
+from gen.scenario import Scenario, fits
 
 FEATURES = ("mixed", "vertex", "edge")
 
@@ -39,18 +39,17 @@ def contact_scenes(
 
     The other 0 to k - 1 obstacles miss by one unit too.
     """
-    while True:
-        robot = any_shape(rng, reach, most)
-        displacement = any_move(rng, move, far, robot)
-        covered = sweep(robot, displacement)
-        pairs = [
-            random_pair(rng, covered, place, feature, size, most) for _ in range(rng.between(1, k))
-        ]
-        missing = [each.missing for each in pairs]
-        no = Scenario(robot, displacement, [pairs[0].touching, *missing[1:]])
-        yes = Scenario(robot, displacement, missing)
-        if fits(no) and fits(yes):
-            return no, yes
+    robot = any_shape(rng, reach, most)
+    displacement = any_move(rng, move, far, robot)
+    covered = sweep(robot, displacement)
+    pairs = [
+        random_pair(rng, covered, place, feature, size, most) for _ in range(rng.between(1, k))
+    ]
+    missing = [each.missing for each in pairs]
+    return (
+        Scenario(robot, displacement, [pairs[0].touching, *missing[1:]]),
+        Scenario(robot, displacement, missing),
+    )
 
 
 @family
@@ -76,12 +75,13 @@ def contacts(
     """
     waiting: list[Scenario] = []
 
-    def make() -> Scenario:
+    def make() -> Scenario | None:
         if not waiting:
-            waiting.extend(
-                contact_scenes(rng, reach, far, size, most, move, place, feature, obstacles)
-            )
+            both = contact_scenes(rng, reach, far, size, most, move, place, feature, obstacles)
+            if not all(map(fits, both)):
+                return None
+            waiting.extend(both)
             rng.shuffle(waiting)
-        return settled(rng, disguised(rng, waiting.pop()), corner=corner == 1)
+        return waiting.pop()
 
-    yield from filled(make, vertices, scenarios)
+    yield from filled(rng, make, vertices=vertices, scenarios=scenarios, corner=corner)

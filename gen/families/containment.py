@@ -10,7 +10,7 @@ from gen.families.common import any_move, any_shape, any_vector, filled
 from gen.families.registry import Between, Flag, Length, OneOf, Scenarios, Vertices, family
 from gen.geometry import Polygon, apart, sweep, translated
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised, fits, settled
+from gen.scenario import Scenario
 
 KINDS = ("in_robot_at_start", "in_robot_at_end", "in_sweep", "robot_in", "robot_leaves")
 STATIC_KINDS = ("in_robot_at_start", "robot_in")
@@ -95,18 +95,12 @@ def containment(
     still = move == "zero"
     kinds = [kind] if kind != "all" else list(STATIC_KINDS if still else KINDS)
 
-    def make() -> Scenario:
-        inside = rng.chance(0.5)
-        while True:
-            scenario = (
-                contained(rng, rng.choice(kinds), reach, size, most, still)
-                if inside
-                else beside(rng, reach, size, most, still)
-            )
-            if scenario is not None and fits(scenario):
-                return settled(rng, disguised(rng, scenario), corner=corner == 1)
+    def make() -> Scenario | None:
+        if rng.chance(0.5):
+            return beside(rng, reach, size, most, still)
+        return contained(rng, rng.choice(kinds), reach, size, most, still)
 
-    yield from filled(make, vertices, scenarios)
+    yield from filled(rng, make, vertices=vertices, scenarios=scenarios, corner=corner)
 
 
 def beside(rng: Rng, reach: int, size: int, most: int, still: bool) -> Scenario:

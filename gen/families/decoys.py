@@ -9,7 +9,7 @@ from gen.families.common import any_move, any_shape, filled
 from gen.families.registry import Between, Flag, Length, OneOf, Scenarios, Vertices, family
 from gen.geometry import Point, Polygon, apart, sweep, translated
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised, fits, settled
+from gen.scenario import Scenario
 from gen.shapes.convex import box
 
 TRIES = 60
@@ -61,34 +61,23 @@ def decoys(
     """
     ideas = [idea] if idea != "all" else list(STATIC_IDEAS if move == "zero" else IDEAS)
 
-    def make() -> Scenario:
-        wants_meeting = rng.chance(0.5)
-        while True:
-            robot = any_shape(rng, reach, most)
-            displacement = any_move(rng, move, far, robot)
-            covered = sweep(robot, displacement).vertices
-            wrong = IDEAS[rng.choice(ideas)](robot, displacement)
-            # The idea's area and the truth differ in one place or the other; some ideas
-            # see too much only, or too little only: then the other answer comes from a
-            # scene of another idea, or from one that no idea misjudges.
-            source = covered if wants_meeting else rng.choice(wrong)
-            for attempt in range(TRIES):
-                at = rng.choice(source)
-                shape = any_shape(rng, size, most)
-                inner = rng.choice(shape)
-                obstacle = translated(
-                    shape,
-                    (
-                        at[0] - inner[0] + rng.between(-size, size),
-                        at[1] - inner[1] + rng.between(-size, size),
-                    ),
-                )
-                meets = not apart(covered, obstacle)
-                seen = any(not apart(area, obstacle) for area in wrong)
-                if meets != wants_meeting or (meets == seen and attempt < TRIES // 2):
-                    continue
-                scenario = disguised(rng, Scenario(robot, displacement, [obstacle]))
-                if fits(scenario):
-                    return settled(rng, scenario, corner=corner == 1)
+    def make() -> Scenario | None:
+        robot = any_shape(rng, reach, most)
+        displacement = any_move(rng, move, far, robot)
+        covered = sweep(robot, displacement).vertices
+        wrong = IDEAS[rng.choice(ideas)](robot, displacement)
+        # Some ideas see too much only, or too little only. Then the other answer comes,
+        # in the second half of the tries, from a scene that the idea judges rightly.
+        meeting = rng.chance(0.5)
+        source = covered if meeting else rng.choice(wrong)
+        for attempt in range(TRIES):
+            shape = any_shape(rng, size, most)
+            (x, y), (own_x, own_y) = rng.choice(source), rng.choice(shape)
+            by = x - own_x + rng.between(-size, size), y - own_y + rng.between(-size, size)
+            obstacle = translated(shape, by)
+            seen = any(not apart(area, obstacle) for area in wrong)
+            if apart(covered, obstacle) != meeting and (seen != meeting or attempt >= TRIES // 2):
+                return Scenario(robot, displacement, [obstacle])
+        return None
 
-    yield from filled(make, vertices, scenarios)
+    yield from filled(rng, make, vertices=vertices, scenarios=scenarios, corner=corner)

@@ -10,7 +10,7 @@ from gen.families.common import any_vector, filled
 from gen.families.registry import Between, Flag, Length, OneOf, Scenarios, Vertices, family
 from gen.geometry import Point, sweep
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised, fits, settled
+from gen.scenario import Scenario
 from gen.shapes.convex import many_gon
 from gen.shapes.edges import directions
 
@@ -36,33 +36,27 @@ def parallel(
     """
 
     def make() -> Scenario:
-        touching = rng.chance(0.5)
-        while True:
-            halves = _bundle(rng, bundle, reach)
-            edges = halves + [(-x, -y) for x, y in halves]
-            robot = many_gon(rng, edges, rng.between(3, most), stretch)
-            x, y = rng.choice(edges)
-            times = 0 if move == "zero" else rng.between(0, 2 * stretch)
-            displacement = x * times, y * times
-            covered = sweep(robot, displacement)
-            count = rng.between(1, obstacles)
-            pairs = [
-                pair(
-                    rng,
-                    random_support(rng, covered, rng.choice(PLACES)),
-                    many_gon(rng, edges, rng.between(3, most), stretch),
-                    flat=0,
-                )
-                for _ in range(count)
-            ]
-            placed = [each.missing for each in pairs]
-            if touching:
-                placed[0] = pairs[0].touching
-            scenario = disguised(rng, Scenario(robot, displacement, placed))
-            if fits(scenario):
-                return settled(rng, scenario, corner=corner == 1)
+        halves = _bundle(rng, bundle, reach)
+        edges = halves + [(-x, -y) for x, y in halves]
+        robot = many_gon(rng, edges, rng.between(3, most), stretch)
+        x, y = rng.choice(edges)
+        times = 0 if move == "zero" else rng.between(0, 2 * stretch)
+        covered = sweep(robot, (x * times, y * times))
+        pairs = [
+            pair(
+                rng,
+                random_support(rng, covered, rng.choice(PLACES)),
+                many_gon(rng, edges, rng.between(3, most), stretch),
+                flat=0,
+            )
+            for _ in range(rng.between(1, obstacles))
+        ]
+        placed = [each.missing for each in pairs]
+        if rng.chance(0.5):
+            placed[0] = pairs[0].touching
+        return Scenario(robot, (x * times, y * times), placed)
 
-    yield from filled(make, vertices, scenarios)
+    yield from filled(rng, make, vertices=vertices, scenarios=scenarios, corner=corner)
 
 
 def _bundle(rng: Rng, count: int, reach: int) -> list[Point]:

@@ -49,7 +49,7 @@ class OneOf:
 Scenarios = Annotated[int, Between(1, 100_000)]
 Obstacles = Annotated[int, Between(0, 166_665)]
 Vertices = Annotated[int, Between(3, 500_000)]
-Length = Annotated[int, Between(1, LIMIT)]
+Length = Annotated[int, Between(1, 2 * LIMIT)]
 Flag = Annotated[int, Between(0, 1)]
 
 Parameters = Mapping[str, int | str]

@@ -10,7 +10,7 @@ from gen.families.common import any_shape, any_vector, filled
 from gen.families.registry import Between, Flag, OneOf, Scenarios, Vertices, family
 from gen.geometry import Point, Polygon, apart, cross, minus, primitive, sweep, translated
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised, fits, settled
+from gen.scenario import Scenario
 from gen.shapes.edges import angle_key
 
 KINDS = ("star", "room", "maze")
@@ -141,18 +141,13 @@ def rooms(
     """
     kinds = [kind] if kind != "all" else list(KINDS)
 
-    def make() -> Scenario:
-        while True:
-            scenario = _stopping(rng, rng.choice(kinds), corners, size, robot, shear)
-            if scenario is None:
-                continue
-            if move == "zero":
-                end = translated(scenario.robot, scenario.move)
-                scenario = Scenario(end, (0, 0), scenario.obstacles)
-            if fits(scenario):
-                return settled(rng, disguised(rng, scenario), corner=corner == 1)
+    def make() -> Scenario | None:
+        scenario = _stopping(rng, rng.choice(kinds), corners, size, robot, shear)
+        if scenario is None or move == "any":
+            return scenario
+        return Scenario(translated(scenario.robot, scenario.move), (0, 0), scenario.obstacles)
 
-    yield from filled(make, vertices, scenarios)
+    yield from filled(rng, make, vertices=vertices, scenarios=scenarios, corner=corner)
 
 
 def _stopping(

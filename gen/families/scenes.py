@@ -9,7 +9,7 @@ from gen.families.common import MOVES, any_move, any_shape, filled
 from gen.families.registry import Between, Flag, Length, OneOf, Scenarios, Vertices, family
 from gen.geometry import Polygon, apart, sweep, translated
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised, fits, settled
+from gen.scenario import Scenario
 from gen.shapes.convex import in_box
 
 
@@ -59,17 +59,14 @@ def random_scenes(
     """Scattered obstacles: in half of the scenes exactly one of them is met, anywhere in order."""
 
     def make() -> Scenario:
-        while True:
-            robot = any_shape(rng, reach, most)
-            displacement = any_move(rng, move, far, robot)
-            count = rng.between(0, obstacles)
-            around = sweep(robot, displacement).vertices
-            met = scattered(rng, around, size, most, count, rng.chance(0.6))
-            scenario = disguised(rng, Scenario(robot, displacement, met))
-            if fits(scenario):
-                return settled(rng, scenario, corner=corner == 1)
+        robot = any_shape(rng, reach, most)
+        displacement = any_move(rng, move, far, robot)
+        around = sweep(robot, displacement).vertices
+        count = rng.between(0, obstacles)
+        met = scattered(rng, around, size, most, count, rng.chance(0.6))
+        return Scenario(robot, displacement, met)
 
-    yield from filled(make, vertices, scenarios)
+    yield from filled(rng, make, vertices=vertices, scenarios=scenarios, corner=corner)
 
 
 @family
@@ -96,4 +93,4 @@ def tiny(
         at = x + rng.between(min(move[0], 0), max(move[0], 0)), y
         return Scenario(robot, move, [translated(shape, at)])
 
-    yield from filled(make, vertices, scenarios)
+    yield from filled(rng, make, vertices=vertices, scenarios=scenarios, corner=False)
