@@ -72,6 +72,7 @@ def _judge(asked: argparse.Namespace) -> int:
         jobs=asked.jobs,
         time_limit_s=asked.time_limit,
         stop_on_first=asked.stop_on_first,
+        no_wall=asked.no_wall,
     )
     console = Console(highlight=False)
     with Live(console) as live:
@@ -116,6 +117,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--time-limit", type=_seconds, metavar="SECONDS", help="CPU seconds a case, not scaled")
     add("--json", type=Path, metavar="FILE", help="write the results as JSON")
     add("--stop-on-first", action="store_true", help="end each group at its first failure")
+    add("--no-wall", action="store_true", help="judge even when no wall can be raised")
     return parser
 
 

@@ -13,13 +13,16 @@ from judge.cases import DATA, Case, check_built, find_cases, select
 from judge.compare import compare
 from judge.facts import RunLimits
 from judge.manifest import check_complete, check_sums, load_manifest
+from judge.probe import probe
 from judge.results import CaseResult, Judging, first_failure, group_results, not_run
 from judge.sandbox import Command, Sandbox, SandboxError
 from judge.spec import ROOT, Problem
 from judge.submission import CompileError, Program, Submission, compile_submission, read_submission
 from judge.verdict import Verdict, decide
+from judge.wall import Wall
 
 REFERENCE = ROOT / "solution.py"
+SUBMISSIONS = ROOT / "submissions"
 CALIBRATION_LIMIT_FACTOR = 100.0  # a machine slower than this is out of order
 RUNS_BEFORE_JE = 2
 
@@ -39,6 +42,7 @@ class Options:
 
     time_limit_s: overrides the declared limit, and then nothing is scaled;
     scale: the machine's speed scale if it is known already (see `machine_scale`).
+    no_wall: run even code that nobody vouches for when no wall stands.
     """
 
     data: Path = DATA
@@ -48,6 +52,7 @@ class Options:
     time_limit_s: float | None = None
     scale: float | None = None
     stop_on_first: bool = False
+    no_wall: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +81,8 @@ def judge(
     """
     options, events = options or Options(), events or Events()
     all_cases, cases = _chosen(problem, options)
-    with Sandbox() as sandbox:
+    wall = _wall_for(submission, problem, options)
+    with Sandbox(wall) as sandbox:
         scale = options.scale
         if scale is None and options.time_limit_s is None:
             events.phase("timing the reference solution")
@@ -96,6 +102,7 @@ def judge(
             memory_mib=limits.memory_mib,
             scale=scale,
             groups=(),
+            wall=None if wall is None else str(wall.bwrap),
         )
         events.phase(f"compiling {submission.name} ({submission.language.name})")
         try:
@@ -141,6 +148,23 @@ def _chosen(problem: Problem, options: Options) -> tuple[list[Case], list[Case]]
     cases = select(all_cases, options.groups, options.globs)
     check_sums(manifest, cases)
     return all_cases, cases
+
+
+def _wall_for(submission: Submission, problem: Problem, options: Options) -> Wall | None:
+    """Return the wall that stands; None only for code that is trusted or explicitly allowed.
+
+    The kit vouches for its reference, brute force and declared submissions.
+    """
+    found = probe()
+    if found.wall is not None or options.no_wall:
+        return found.wall
+    vouched = {REFERENCE, ROOT / "brute.py", *(SUBMISSIONS / name for name in problem.submissions)}
+    if Path(submission.name).resolve() in vouched:
+        return None
+    raise JudgeError(
+        f"no wall stands ({found.why}), so {submission.name} could read, change and send "
+        "whatever you can; if you trust it, say --no-wall"
+    )
 
 
 def run_case(sandbox: Sandbox, command: Command, limits: RunLimits, case: Case) -> CaseResult:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from judge.sandbox import Command
-from judge.spec import did_you_mean
+from judge.spec import ROOT, did_you_mean
 
 SYSTEM_PATH = "/usr/local/bin:/usr/bin:/bin"
 
@@ -177,11 +177,12 @@ def guess(text: str) -> Language | None:
 
 @dataclass(frozen=True, slots=True)
 class Toolchain:
-    """A language with the paths of its programs and the environment they need."""
+    """A language with the paths of its programs, and the environment and files they need."""
 
     language: Language
     paths: dict[str, str]
     env: dict[str, str]
+    prefixes: tuple[str, ...]
 
     def compile_command(self, directory: Path, source: str) -> Command:
         """Return the command that compiles `source` in `directory`."""
@@ -202,7 +203,7 @@ class Toolchain:
             "{heap_mib}": str(memory_mib * 7 // 8),
         }
         argv = tuple(re.sub(r"\{[^}]+\}", lambda m: words[m[0]], part) for part in template)
-        return Command(argv, self.env)
+        return Command(argv, self.env, prefixes=self.prefixes)
 
 
 def toolchain(language: Language, which: Callable[[str], str | None] = shutil.which) -> Toolchain:
@@ -216,7 +217,18 @@ def toolchain(language: Language, which: Callable[[str], str | None] = shutil.wh
     env = {"PATH": SYSTEM_PATH, "LANG": "C.UTF-8", "PYTHONIOENCODING": "utf-8"}
     if language.name == "Go":
         env |= {"GO111MODULE": "off", "CGO_ENABLED": "0", "GOCACHE": "/tmp/go", "GOFLAGS": ""}
-    return Toolchain(language, paths, env)
+    prefixes = {_prefix(Path(path)) for path in paths.values()} - {None}
+    return Toolchain(language, paths, env, tuple(sorted(map(str, prefixes))))
+
+
+def _prefix(tool: Path) -> Path | None:
+    """Return the directory that a tool outside the system needs; None for the system's own."""
+    real = tool.resolve()
+    if real.is_relative_to("/usr") or real.is_relative_to("/bin"):
+        return None
+    prefix = real.parent.parent
+    holds_more = any(place.is_relative_to(prefix) for place in (ROOT, Path.home()))
+    return real.parent if holds_more else prefix
 
 
 def _own_python() -> str:

@@ -90,6 +90,11 @@ def print_report(console: Console, judging: Judging) -> None:
     if failure := judging.first_failure:
         _print_failure(console, failure)
     console.print(Text(_limits_line(judging), style="dim"), soft_wrap=True)
+    if judging.wall is None:
+        lost = "no wall stood: the program could read, change and send whatever you can"
+        console.print(Text(lost, style="yellow"), soft_wrap=True)
+    else:
+        console.print(Text(f"wall: {judging.wall}", style="dim"), soft_wrap=True)
     last = verdict_text(judging.verdict).append(
         f"  {judging.score} of {judging.max_score} points", style="bold"
     )

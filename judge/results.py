@@ -55,7 +55,7 @@ class Judging:
     time_limit_s: the limit that held; declared_s: the one of problem.toml; scale:
     the former over the latter as this machine's speed asks, None if it was not measured.
     partial: not every case of the data was selected, so the score is only a part.
-    message: the compiler's, for CE.
+    message: the compiler's, for CE. wall: the bwrap that stood around every run, or None.
     """
 
     submission: str
@@ -70,6 +70,7 @@ class Judging:
     scale: float | None
     groups: tuple[GroupResult, ...]
     message: str = ""
+    wall: str | None = None
 
     @property
     def cases(self) -> tuple[CaseResult, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import select
 import shutil
 import subprocess
@@ -17,6 +18,8 @@ from typing import Any, Self
 
 from judge.facts import Facts, RunLimits, Stop
 from judge.keeper import BOOT
+from judge.keeper.wall import NOBODY
+from judge.wall import PROGRAM, SCRATCH, Wall
 
 KIT = Path(__file__).resolve().parent.parent
 ANSWER_MARGIN_S = 30.0  # what a keeper may need beyond the wall limit before it is given up
@@ -29,10 +32,17 @@ class SandboxError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Command:
-    """What to execute: argv[0] is an absolute path, env the whole environment."""
+    """What to execute.
+
+    argv[0]: an absolute path, as seen from within; env: the whole environment but for
+    HOME and TMPDIR; directory: the program's own, which a wall shows and nothing else of
+    ours; prefixes: directories outside the system that the tools of its language live in.
+    """
 
     argv: tuple[str, ...]
     env: Mapping[str, str] = field(default_factory=dict)
+    directory: Path | None = None
+    prefixes: tuple[str, ...] = ()
 
 
 class Sandbox:
@@ -42,7 +52,8 @@ class Sandbox:
     The keepers remove the scratch directory when this process dies, however it does.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, wall: Wall | None = None) -> None:
+        self.wall = wall
         self.scratch = Path(tempfile.mkdtemp(prefix="collision-course-")).resolve()
         self._idle: list[_Keeper] = []
         self._all: list[_Keeper] = []
@@ -65,21 +76,29 @@ class Sandbox:
         command: Command,
         limits: RunLimits,
         *,
-        stdin: Path | None,
         stdout: Path,
-        cwd: Path | None = None,
+        stdin: Path | None = None,
+        compiling: bool = False,
     ) -> Facts:
         """Run `command` to its end and return what was seen; no process of it remains.
 
         stdin: file fed through a pipe, None for an empty one. stdout: file that
-        receives at most `limits.output_bytes`. cwd: where it runs; None for an
-        empty directory that is removed afterwards. Raises SandboxError.
+        receives at most `limits.output_bytes`. It runs in an empty directory that is
+        removed afterwards; compiling: it may write to `command.directory`.
+        Raises SandboxError.
         """
-        own = self.new_directory("run-") if cwd is None else None
+        own = self.new_directory("run-")
+        wall, home = None, own
+        if self.wall is not None:
+            wall = self.wall.request(
+                command.directory, writable=compiling, prefixes=command.prefixes
+            )
+            home = SCRATCH
         request = {
             "argv": command.argv,
-            "env": {**command.env, "HOME": str(cwd or own), "TMPDIR": str(cwd or own)},
-            "cwd": str(cwd or own),
+            "env": {**command.env, "HOME": str(home), "TMPDIR": str(home)},
+            "cwd": "/" if wall else str(own),
+            "wall": wall,
             "stdin": None if stdin is None else str(stdin),
             "stdout": str(stdout),
             "kill_cpu_s": limits.kill_cpu_s,
@@ -98,13 +117,24 @@ class Sandbox:
         else:
             self._give_back(keeper)
         finally:
-            if own is not None:
-                shutil.rmtree(own, ignore_errors=True)
+            shutil.rmtree(own, ignore_errors=True)
         if "error" in reply:
             raise SandboxError(reply["error"])
         reply["stopped"] = None if reply["stopped"] is None else Stop(reply["stopped"])
         reply["stderr"] = reply["stderr"].encode("latin-1")
         return Facts(**reply)
+
+    def inside(self, directory: Path) -> Path:
+        """Return where a program's `directory` appears to the program."""
+        return directory if self.wall is None else PROGRAM
+
+    def new_program_directory(self) -> Path:
+        """Return an empty directory that a compiler behind the wall may write to."""
+        directory = self.new_directory("program-")
+        directory.chmod(0o755)
+        if self.wall is not None and os.getuid() == 0:
+            os.chown(directory, NOBODY, NOBODY)
+        return directory
 
     def new_directory(self, prefix: str) -> Path:
         """Return an empty directory that lives as long as the sandbox. Raises SandboxError."""

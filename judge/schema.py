@@ -40,6 +40,7 @@ class GroupReport(msgspec.Struct, frozen=True):
 class Report(msgspec.Struct, frozen=True):
     """A whole judging. scale: null if the machine's speed was not measured.
 
+    wall: the bwrap that stood around every run, null for none.
     partial: not every case was selected; only groups judged whole score.
     """
 
@@ -55,6 +56,7 @@ class Report(msgspec.Struct, frozen=True):
     declared_time_limit_s: float
     memory_limit_mib: int
     scale: float | None
+    wall: str | None
     groups: list[GroupReport]
     cases: list[CaseReport]
 
@@ -74,6 +76,7 @@ def report_of(judging: Judging) -> Report:
         declared_time_limit_s=judging.declared_s,
         memory_limit_mib=judging.memory_mib,
         scale=judging.scale,
+        wall=judging.wall,
         groups=[GroupReport(g.name, g.verdict, g.score, g.max_score) for g in judging.groups],
         cases=[
             CaseReport(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from judge.facts import RunLimits, Stop
@@ -86,7 +86,7 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
             f"limit {limits.code_kib} KiB"
         )
     tools = toolchain(submission.language)
-    directory = sandbox.new_directory("program-")
+    directory = sandbox.new_program_directory()
     source_name = _file_name(submission)
     (directory / source_name).write_bytes(submission.source)
     run_limits = RunLimits(
@@ -94,16 +94,17 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
         memory_mib=limits.compilation_memory_mib,
         output_mib=COMPILER_OUTPUT_MIB,
     )
-    printed = directory / "compiler-output"
+    inside = sandbox.inside(directory)
+    printed = sandbox.new_directory("compiler-") / "output"
     facts = sandbox.run(
-        tools.compile_command(directory, source_name),
+        replace(tools.compile_command(inside, source_name), directory=directory),
         run_limits,
         stdin=None,
         stdout=printed,
-        cwd=directory,
+        compiling=True,
     )
     said = printable_lines(facts.stderr or printed.read_bytes()[:8192])
-    said = said.replace(f"{directory}/", "")
+    said = said.replace(f"{inside}/", "")
     if facts.stopped is not None:
         limit = {
             Stop.MEMORY: f"more than {run_limits.memory_mib} MiB of memory",
@@ -114,7 +115,8 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
     if facts.exit_status != 0:
         ended = f"signal {facts.signal}" if facts.signal else f"exit status {facts.exit_status}"
         raise CompileError(said or f"the compiler ended with {ended} and said nothing")
-    return Program(submission, tools.run_command(directory, source_name, limits.memory_mib))
+    command = tools.run_command(inside, source_name, limits.memory_mib)
+    return Program(submission, replace(command, directory=directory))
 
 
 def _file_name(submission: Submission) -> str:

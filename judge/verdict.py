@@ -59,12 +59,18 @@ def decide(facts: Facts, limits: RunLimits, mismatch: Mismatch | None) -> Judgem
     if facts.signal is not None:
         return Judgement(Verdict.RTE, _with_stderr(_signal_name(facts.signal), facts.stderr))
     if facts.exit_status != 0:
-        return Judgement(
-            Verdict.RTE, _with_stderr(f"exit status {facts.exit_status}", facts.stderr)
-        )
+        return Judgement(Verdict.RTE, _with_stderr(_exit_name(facts), facts.stderr))
     if mismatch is not None:
         return Judgement(Verdict.WA, str(mismatch))
     return Judgement(Verdict.AC)
+
+
+def _exit_name(facts: Facts) -> str:
+    """Name an exit status; a shell, and a wall, pass a signal on as 128 and its number."""
+    status = facts.exit_status or 0
+    if status - 128 in signal.valid_signals():
+        return f"exit status {status} (its own, or {_signal_name(status - 128)})"
+    return f"exit status {status}"
 
 
 def _signal_name(number: int) -> str:

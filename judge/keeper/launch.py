@@ -6,9 +6,10 @@ import ctypes
 import os
 import resource
 import signal
-from typing import Any
+from typing import Any, NamedTuple
 
 from judge.keeper.proc import threads_of_user
+from judge.keeper.wall import STARTED, walled
 
 PR_SET_PDEATHSIG = 1
 LIBC = ctypes.CDLL(None, use_errno=True)
@@ -18,38 +19,51 @@ class LaunchError(Exception):
     """The program could not be started; the message says why."""
 
 
-def launch(request: dict[str, Any]) -> tuple[int, tuple[int, int, int]]:
-    """Start the program; return its pid and our non-blocking ends of its three pipes."""
+class Launched(NamedTuple):
+    """A started program: its pid, our non-blocking ends of its pipes, and one more.
+
+    started: reads as nothing if there was to be a wall and it did not stand.
+    """
+
+    pid: int
+    stdin: int
+    stdout: int
+    stderr: int
+    started: int
+
+
+def launch(request: dict[str, Any]) -> Launched:
+    """Start the program. Raises LaunchError, after which nothing of it is left."""
     stdin, feed = os.pipe()
     take_out, stdout = os.pipe()
     take_err, stderr = os.pipe()
+    started, starting = os.pipe()
     complaint, complain = os.pipe()
     pid = os.fork()
     if pid == 0:
         try:
-            become(request, (stdin, stdout, stderr))
+            become(request, (stdin, stdout, stderr), starting)
         except BaseException as error:
             os.write(complain, str(error).encode())
         finally:
             os._exit(127)
-    for fd in (stdin, stdout, stderr, complain):
+    for fd in (stdin, stdout, stderr, starting, complain):
         os.close(fd)
     problem = os.read(complaint, 4096)  # ends at once when the program is executed
     os.close(complaint)
     if problem:
         os.waitpid(pid, 0)
-        for fd in (feed, take_out, take_err):
+        for fd in (feed, take_out, take_err, started):
             os.close(fd)
         raise LaunchError(f"{request['argv'][0]}: {problem.decode()}")
-    for fd in (feed, take_out, take_err):
+    for fd in (feed, take_out, take_err, started):
         os.set_blocking(fd, False)
-    return pid, (feed, take_out, take_err)
+    return Launched(pid, feed, take_out, take_err, started)
 
 
-def become(request: dict[str, Any], standard: tuple[int, int, int]) -> None:
+def become(request: dict[str, Any], standard: tuple[int, int, int], starting: int) -> None:
     """In the child: turn into the program. Never returns; raises OSError."""
     os.setsid()
-    LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
     for target, fd in enumerate(standard):
         os.dup2(fd, target)
     for number in (signal.SIGPIPE, signal.SIGXFSZ, signal.SIGINT, signal.SIGTERM):
@@ -66,5 +80,11 @@ def become(request: dict[str, Any], standard: tuple[int, int, int]) -> None:
         hard = resource.getrlimit(what)[1]
         value = value if hard == resource.RLIM_INFINITY else min(value, hard)
         resource.setrlimit(what, (value, value))
+    program: str | int = request["argv"][0]
+    argv = request["argv"]
+    if request["wall"]:
+        os.dup2(starting, STARTED)
+        program, argv = walled(request["wall"], argv, request["processes"])
     os.chdir(request["cwd"])
-    os.execve(request["argv"][0], request["argv"], request["env"])
+    LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # last: a change of user would undo it
+    os.execve(program, argv, request["env"])

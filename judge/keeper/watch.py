@@ -8,7 +8,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-from judge.keeper.launch import launch
+from judge.keeper.launch import LaunchError, launch
 from judge.keeper.pipes import Feeder, Sink
 from judge.keeper.tree import Tree, peak_mib
 
@@ -26,7 +26,8 @@ def run(request: dict[str, Any]) -> dict[str, Any]:
 
     Request: argv, env, cwd; stdin: path of a file fed through a pipe, or null;
     stdout: path of a file to write; kill_cpu_s, kill_wall_s, memory_mib,
-    output_bytes, processes: where to end it; file_mib: the largest file it may write.
+    output_bytes, processes: where to end it; file_mib: the largest file it may write;
+    wall: what `wall.walled` wants, null for none.
     Reply: the fields of `judge.facts.Facts`; stderr as Latin-1 text.
     Raises LaunchError, JudgeGoneError, TimeoutError; no process is left in any case but the last.
     """
@@ -34,9 +35,10 @@ def run(request: dict[str, Any]) -> dict[str, Any]:
     source_path, out_path = Path(request["stdin"] or os.devnull), Path(request["stdout"])
     with source_path.open("rb") as source, out_path.open("wb") as out:
         started = time.monotonic()
-        pid, pipes = launch(request)
-        feeder = Feeder(source.fileno(), pipes[0])
-        sink = Sink(pipes[1], pipes[2], out.fileno(), request["output_bytes"])
+        launched = launch(request)
+        pid = launched.pid
+        feeder = Feeder(source.fileno(), launched.stdin)
+        sink = Sink(launched.stdout, launched.stderr, out.fileno(), request["output_bytes"])
         try:
             stopped = watch(pid, feeder, sink, tree, started, request)
         finally:
@@ -44,6 +46,10 @@ def run(request: dict[str, Any]) -> dict[str, Any]:
             feeder.close()
         wall_s = time.monotonic() - started
         sink.drain()
+    stands = os.read(launched.started, 1) if request["wall"] else b"none asked for"
+    os.close(launched.started)
+    if not stands:
+        raise LaunchError(f"the wall does not stand: {sink.stderr.decode('latin-1').strip()}")
     status = tree.status[pid]
     return {
         "exit_status": os.WEXITSTATUS(status) if os.WIFEXITED(status) else None,

