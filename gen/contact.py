@@ -121,7 +121,14 @@ def pair(rng: Rng, support: Support, shape: Polygon, *, flat: int) -> Pair:
     if rng.chance(0.3):
         beyond = support.span + 1 if rng.chance(0.5) else -length - 1
         return Pair(touching, _put(shape, low, support, beyond))
-    return Pair(touching, translated(touching, step_right(along)))
+    x, y = step_right(along)
+    if s == support.span and (s > 0 or 2 * (x * along[0] + y * along[1]) > _square(along)):
+        x, y = x - along[0], y - along[1]  # the nearer point of the next line
+    return Pair(touching, translated(touching, (x, y)))
+
+
+def _square(v: Point) -> int:
+    return v[0] * v[0] + v[1] * v[1]
 
 
 def _put(shape: Polygon, vertex: Point, support: Support, s: int) -> Polygon:

@@ -23,7 +23,8 @@ from gen.shapes.convex import arc, in_box, near_circle, random_convex
 
 ROBOTS = ("circle", "random", "arc")
 DECIDING = ("none", "any", "last", "pairs")
-TRIES = 20
+TRIES = 4
+LONG = 1_000_000  # no obstacle lies flat along a direction longer than this
 
 
 def big_robot(rng: Rng, kind: str, m: int) -> Polygon:
@@ -102,7 +103,7 @@ def _hugged(
     covered = sweep(robot, move)
     pairs: list[Pair] = []
     for number, support in enumerate(around(rng, covered, count)):
-        own = flat > 0 and number % 2 == 1
+        own = flat > 0 and number % 2 == 1 and max(map(abs, support.along)) < LONG
         shape = flat_triangle(rng, support, flat) if own else rng.choice(shapes)
         pairs.append(pair(rng, support, shape, flat=0))
     rng.shuffle(pairs)
