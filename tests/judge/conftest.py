@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from judge.facts import Facts, RunLimits
+from judge.probe import probe
 from judge.sandbox import Command, Sandbox
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -75,22 +76,49 @@ def checker(tmp_path: Path) -> Checker:
 
 @pytest.fixture(scope="session")
 def sandbox() -> Iterator[Sandbox]:
+    """Without a wall: what the keeper does alone."""
     with Sandbox() as box:
         yield box
 
 
-@pytest.fixture
-def run_python(sandbox: Sandbox, tmp_path: Path) -> RunPython:
-    """Run Python code in the sandbox; its output lands in `tmp_path / "out"`."""
+@pytest.fixture(scope="session")
+def walled_sandbox() -> Iterator[Sandbox]:
+    found = probe()
+    if found.wall is None:
+        pytest.skip(f"no wall stands on this machine: {found.why}")
+    with Sandbox(found.wall) as box:
+        yield box
+
+
+def python_runner(sandbox: Sandbox, out: Path) -> RunPython:
+    """Return a function that runs Python code in the sandbox; its output lands in `out`."""
 
     def run(code: str, stdin: Path | None = None, **limits: float) -> Facts:
-        command = Command((os.path.realpath(sys.executable), "-I", "-S", "-c", code))
+        python = os.path.realpath(sys.executable)
+        argv = (python, "-I", "-S", "-c", code)
+        prefixes = () if python.startswith("/usr/") else (str(Path(python).parent.parent),)
         allowed = RunLimits(
             time_limit_s=limits.get("time_limit_s", 5),
             memory_mib=int(limits.get("memory_mib", 200)),
             output_mib=int(limits.get("output_mib", 1)),
             processes=int(limits.get("processes", 32)),
         )
-        return sandbox.run(command, allowed, stdin=stdin, stdout=tmp_path / "out")
+        return sandbox.run(Command(argv, prefixes=prefixes), allowed, stdin=stdin, stdout=out)
 
     return run
+
+
+@pytest.fixture(params=["sandbox", "walled_sandbox"])
+def run_python(request: pytest.FixtureRequest, tmp_path: Path) -> RunPython:
+    """Run Python code alone with the keeper, and once more behind the wall."""
+    return python_runner(request.getfixturevalue(request.param), tmp_path / "out")
+
+
+@pytest.fixture
+def run_bare(sandbox: Sandbox, tmp_path: Path) -> RunPython:
+    return python_runner(sandbox, tmp_path / "out")
+
+
+@pytest.fixture
+def run_walled(walled_sandbox: Sandbox, tmp_path: Path) -> RunPython:
+    return python_runner(walled_sandbox, tmp_path / "out")
