@@ -1,0 +1,1 @@
+"""How strong the data is: which wrong programs it kills, and by which cases."""
