@@ -1,9 +1,9 @@
-// The naive way with bounding boxes: an obstacle is skipped when its box misses the sweep's,
-// and an edge or trail when its box misses the other polygon's.
+// The naive way with bounding boxes: what lies apart by its box is not looked at.
 //
-// The rest is the rays of brute_force.cpp: every segment that a vertex travels against every
-// edge. Boxes decide most of a random scene, and nothing where all boxes overlap: still
-// O(m * n) for each obstacle.
+// An obstacle is skipped when its box misses the sweep's, and an edge or a trail when its box
+// misses that of all it is compared with. The rest are the rays of brute_force.cpp. Boxes
+// decide most of a random scene, and nothing where all boxes overlap: still O(m * n) for
+// each obstacle.
 
 #include <algorithm>
 #include <cstdint>

@@ -52,8 +52,9 @@ def test_first_line_says_the_idea_or_the_bug(name):
     assert len(line.split()) >= 4, f"expected a sentence, found {line!r}"
 
 
-def test_no_two_submissions_say_the_same():
-    assert len({first_line(name) for name in FILES}) == len(FILES)
+def test_no_two_wrong_ones_say_the_same():
+    wrong = [name for name in FILES if not name.startswith("accepted/")]
+    assert len({first_line(name) for name in wrong}) == len(wrong)
 
 
 @pytest.mark.parametrize("name", PYTHON_FILES)
@@ -86,7 +87,7 @@ def test_directory_and_declaration_agree(name):
         assert verdicts[last] in ({Verdict.AC}, {Verdict.TLE})
     else:
         own = VERDICTS_OF_DIRECTORY[directory]
-        assert any(permitted == own for permitted in verdicts.values())
+        assert any(own <= permitted for permitted in verdicts.values())
 
 
 def test_the_kinds_that_the_kit_needs_are_there():
