@@ -49,8 +49,8 @@ ATTEMPTS = {
     "see the judge": "print(*[p for p in os.listdir('/proc') if p.isdigit() and int(p) > 50])",
     "read the first environment": "print(*[v for v in open('/proc/1/environ').read().split('\\0') "
     "if v not in ('', 'HOME=/tmp', 'TMPDIR=/tmp')])",
-    "read how the wall was told": "print('bind' if 'ro-' + 'bind' in open('/proc/1/cmdline').read() "
-    "else '')",
+    "read how the wall was told": "print('bind' if 'ro-' + 'bind' in open('/proc/1/cmdline').read()"
+    " else '')",
 }
 
 
