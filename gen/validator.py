@@ -26,6 +26,7 @@ import tomllib
 from collections.abc import Callable
 from contextlib import nullcontext
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 from typing import BinaryIO
 
@@ -189,23 +190,21 @@ class _Reader:
 
     def _convex(self, name: str, vertices: list[Vertex], first_line: int) -> None:
         """Check every turn, and that the turns add up to one winding."""
-        (ax, ay), (bx, by) = vertices[-2], vertices[-1]
+        n = len(vertices)
+        (ax, ay), (bx, by) = vertices[0], vertices[1]
         ex, ey = bx - ax, by - ay
         was_upper = ey > 0 or (ey == 0 and ex > 0)
         windings = 0
-        for index, (cx, cy) in enumerate(vertices):
+        for index, (cx, cy) in enumerate(chain(vertices[2:], vertices[:2]), start=1):
             fx, fy = cx - bx, cy - by
-            turn = ex * fy - ey * fx
+            turn = ex * fy - ey * fx  # at vertices[index % n]
             if turn <= 0:
-                # The turn is at the vertex before this one.
-                at = (index - 1) % len(vertices)
-                kind = "clockwise turn" if turn < 0 else "no turn"
-                if (fx, fy) == (0, 0) or (ex, ey) == (0, 0):
-                    at, kind = (index if (fx, fy) == (0, 0) else at), "the same vertex again"
-                raise InputError(
-                    first_line + at,
-                    f"{name}, vertex {at + 1}: {kind} (cross {turn})",
-                )
+                at, kind = index % n, "clockwise turn" if turn < 0 else "no turn"
+                if (ex, ey) == (0, 0):
+                    kind = "the same vertex again"
+                if (fx, fy) == (0, 0):
+                    at, kind = min(index + 1, n - 1), "the same vertex again"
+                raise InputError(first_line + at, f"{name}, vertex {at + 1}: {kind} (cross {turn})")
             is_upper = fy > 0 or (fy == 0 and fx > 0)
             windings += is_upper and not was_upper
             bx, by, ex, ey, was_upper = cx, cy, fx, fy, is_upper
@@ -258,13 +257,14 @@ def _fault(line: bytes, count: int) -> str:
     if len(tokens) != count or tokens == [b""]:
         return f"expected {wanted}, found {_shown(body)}"
     bad = next(token for token in tokens if _NUMBER.fullmatch(token) is None)
-    return f"expected an integer without leading zeros or plus sign, found {_shown(bad)}"
+    return (
+        f"expected an integer of at most 18 digits, no leading zero, no plus, found {_shown(bad)}"
+    )
 
 
 def _shown(text: bytes) -> str:
     """Return the head of some bytes, printable and quoted."""
-    head = text[:_SHOWN_BYTES].decode("ascii", "backslashreplace")
-    return repr(head) + ("..." if len(text) > _SHOWN_BYTES else "")
+    return repr(text[:_SHOWN_BYTES])[1:] + ("..." if len(text) > _SHOWN_BYTES else "")
 
 
 def main(arguments: list[str]) -> int:
