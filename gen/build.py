@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import io
+import multiprocessing
 import signal
+import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from pathlib import Path
@@ -140,7 +142,7 @@ def build_cases(
         for case in cases:
             if case.path not in expected:
                 raise BuildError(f"{case.path}: not in the manifest; build with --update-manifest")
-    pool = ProcessPoolExecutor(max_workers=jobs, initializer=_leave_interrupts_to_the_parent)
+    pool = ProcessPoolExecutor(max_workers=jobs, initializer=_end_on_sigterm)
     try:
         pending: dict[Future[Entry], Case] = {
             pool.submit(build_case, data, case, None if update else expected[case.path]): case
@@ -152,10 +154,17 @@ def build_cases(
                 case = pending.pop(future)
                 entries[case.path] = future.result()
                 done(case)
+    except BaseException:
+        # The workers clean up after themselves: see _end_on_sigterm.
+        for worker in multiprocessing.active_children():
+            worker.terminate()
+        raise
     finally:
         pool.shutdown(cancel_futures=True)
     return entries
 
 
-def _leave_interrupts_to_the_parent() -> None:
+def _end_on_sigterm() -> None:
+    """Let the parent alone see Ctrl-C; SIGTERM unwinds what a worker is doing, then ends it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
