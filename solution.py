@@ -25,6 +25,7 @@ No sort: floors are found by rotating the given counter-clockwise order.
 
 import sys
 from bisect import bisect_left
+from functools import cached_property
 
 # Slopes dy / dx are compared as floor(dy * 2**56 / dx). Two different slopes have
 # different keys: with |dx| <= 2 * 10**8 they are 1 / (4 * 10**16) > 2**-56 apart.
@@ -53,19 +54,39 @@ def main() -> None:
 
 
 class Sweep:
-    """All points that a robot (xs, ys) covers while it moves by (dx, dy)."""
+    """All points that a robot (xs, ys) covers while it moves by (dx, dy).
+
+    k: how many obstacles will be asked about.
+    """
 
     def __init__(self, xs: list[int], ys: list[int], dx: int, dy: int, k: int) -> None:
-        """k: how many obstacles will be asked about."""
-        self.floor = sweep_floor(xs, ys, dx, dy)
-        self.mirror_floor = sweep_floor(negated(xs), negated(ys), -dx, -dy)
-        for floor in (self.floor, self.mirror_floor):
-            if 16 * k > len(floor.xs):  # enough questions to be asked to pay for it
-                floor.compute_slopes()
-        self.left = self.floor.xs[0]
-        self.right = self.floor.xs[-1]
-        self.low = self.floor.ys[0]
-        self.rise = self.floor.ys[-1] - self.low
+        self.robot = xs + xs, ys + ys  # twice, so that every chain is in one piece
+        self.robot_left, self.robot_right = left, right = min(xs), max(xs)
+        self.move = dx, dy
+        self.k = k
+        # A chord from one of the leftmost points of the sweep to one of the rightmost.
+        low, high = ys[xs.index(left)], ys[xs.index(right)]
+        if dx < 0:
+            left, low = left + dx, low + dy
+        else:
+            right, high = right + dx, high + dy
+        self.left, self.low, self.right, self.rise = left, low, right, high - low
+
+    @cached_property
+    def floor(self) -> "Floor":
+        """What is seen from below."""
+        xs, ys = self.robot
+        low, high = floor_ends(xs, self.robot_left, self.robot_right)
+        return swept_floor(xs[low : high + 1], ys[low : high + 1], *self.move, self.k)
+
+    @cached_property
+    def mirror_floor(self) -> "Floor":
+        """The floor of the sweep's reflection in the origin."""
+        xs, ys = self.robot
+        low, high = floor_ends(xs, self.robot_right, self.robot_left)
+        mirror_xs, mirror_ys = negated(xs[low : high + 1]), negated(ys[low : high + 1])
+        dx, dy = self.move
+        return swept_floor(mirror_xs, mirror_ys, -dx, -dy, self.k)
 
     def touches(self, xs: list[int], ys: list[int]) -> bool:
         """Does the obstacle (xs, ys) share a point with the sweep? May change the lists."""
@@ -75,8 +96,8 @@ class Sweep:
             return False
         x = xs[0]
         if self.left <= x <= self.right:
-            # Over the chord of the sweep's floor, the vertex is not below the sweep, so
-            # the obstacle is clear only if it lies above; and under it, only if below.
+            # Over the chord, this vertex is not below the sweep, so the obstacle is clear
+            # only if it lies above; and under the chord, only if it lies below.
             over = (ys[0] - self.low) * (self.right - self.left) > self.rise * (x - self.left)
             if over:
                 return not sum_is_above_origin(self.mirror_floor, xs, ys, left, right)
@@ -97,8 +118,9 @@ def sum_is_above_origin(
     and its least and greatest x. Their sum must have a point with x = 0.
     The lists xs and ys are changed.
     """
-    low, high = floor_range(xs, left, right)
+    xs += xs
     ys += ys
+    low, high = floor_ends(xs, left, right)
     floor_xs, floor_ys = floor.xs, floor.ys
 
     # The edge of the sum's floor at x = 0 belongs between the vertices low and high.
@@ -171,38 +193,38 @@ class LazySlopes:
         return (ys[i + 1] - ys[i] << SLOPE_BITS) // (xs[i + 1] - xs[i])
 
 
-def sweep_floor(xs: list[int], ys: list[int], dx: int, dy: int) -> Floor:
-    """Return the floor of all that the counter-clockwise polygon covers on its move."""
-    doubled = xs[:]
-    low, high = floor_range(doubled, min(xs), max(xs))
-    xs = doubled[low : high + 1]
-    ys = (ys + ys)[low : high + 1]
+def swept_floor(xs: list[int], ys: list[int], dx: int, dy: int, k: int) -> Floor:
+    """Return the floor of all that a polygon with the floor (xs, ys) covers on its move."""
     if dx == 0:
-        return Floor(xs, [y + dy for y in ys] if dy < 0 else ys)
-    # The move is one more edge, put in where its slope belongs: what is to the right
-    # of it is taken at the end of the move, or, if the robot moves left, at the start.
-    cut = bisect_left(LazySlopes(xs, ys), (dy << SLOPE_BITS) // dx)
-    left_xs, left_ys, right_xs, right_ys = xs[: cut + 1], ys[: cut + 1], xs[cut:], ys[cut:]
-    if dx > 0:
-        return Floor(left_xs + [x + dx for x in right_xs], left_ys + [y + dy for y in right_ys])
-    return Floor([x + dx for x in left_xs] + right_xs, [y + dy for y in left_ys] + right_ys)
+        floor = Floor(xs, [y + dy for y in ys] if dy < 0 else ys)
+    else:
+        # The move is one more edge, put in where its slope belongs: what is to the right
+        # of it is taken at the end of the move, or, if the robot moves left, at the start.
+        cut = bisect_left(LazySlopes(xs, ys), (dy << SLOPE_BITS) // dx)
+        left_xs, left_ys, right_xs, right_ys = xs[: cut + 1], ys[: cut + 1], xs[cut:], ys[cut:]
+        if dx > 0:
+            right_xs, right_ys = [x + dx for x in right_xs], [y + dy for y in right_ys]
+        else:
+            left_xs, left_ys = [x + dx for x in left_xs], [y + dy for y in left_ys]
+        floor = Floor(left_xs + right_xs, left_ys + right_ys)
+    if 16 * k > len(floor.xs):  # enough searches to come to pay for it
+        floor.compute_slopes()
+    return floor
 
 
-def floor_range(xs: list[int], left: int, right: int) -> tuple[int, int]:
-    """Return the indices of the floor's first and last vertex, after doubling xs.
+def floor_ends(xs: list[int], left: int, right: int) -> tuple[int, int]:
+    """Return the indices of the floor's first and last vertex in a polygon that is given twice.
 
-    The polygon is counter-clockwise, its least and greatest x are given. Doubled,
-    the list holds the floor in one piece.
+    xs: the x of its vertices, counter-clockwise, twice; left, right: the least and the
+    greatest of them. With left and right exchanged: the ceiling.
     """
     low = xs.index(left)
     high = xs.index(right)
-    n = len(xs)
-    xs += xs
     if xs[low + 1] == left:  # a vertical edge leads down to the floor
         low += 1
     if xs[high - 1] == right:  # a vertical edge leads up from it (high may become -1)
         high -= 1
-    return low, high if high > low else high + n
+    return low, high if high > low else high + len(xs) // 2
 
 
 def negated(numbers: list[int]) -> list[int]:
