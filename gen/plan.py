@@ -142,6 +142,20 @@ PLANNED = (
         "hugging",
         {"scenarios": 12, "m": 15_000, "n": 20_000, "obstacles": 1, "robot": "random"},
     ),
+    # Long moves: the box of every vertex's path overlaps nearly every edge's.
+    Case(
+        "large",
+        "12-far",
+        "hugging",
+        {"scenarios": 1, "m": 150_000, "n": 60_000, "obstacles": 4, "far": 100_000_000}
+        | {"deciding": "none"},
+    ),
+    Case(
+        "large",
+        "13-far-pairs",
+        "hugging",
+        {"scenarios": 4, "m": 60_000, "n": 30_000, "obstacles": 2, "far": 100_000_000},
+    ),
     # many: one unit decides, wherever one looks
     Case(
         "many",
