@@ -2,7 +2,8 @@
 """The lesson itself: one Minkowski sum of convex polygons for each obstacle.
 
 1. All that the robot ever covers on its way, the sweep, is the convex hull of the
-   robot at its start and the robot at its end.
+   robot at its start and the robot at its end: the Minkowski sum of the robot and
+   the segment from (0, 0) to (dx, dy).
 2. The sweep S and an obstacle Q share a point  s = q  if and only if  s - q = 0:
    if and only if the origin lies in  S + (-Q),  boundary included.
 3. The sum of two convex polygons is convex, and its boundary is made of the edges
@@ -10,9 +11,9 @@
    when they start at the lowest vertex (the leftmost, if there are two), so the
    sum is one merge.
 
-O(M log M) for the hulls and O(m + n) for each obstacle: O(k * m + N) per scenario.
-That passes every group but `many`, where the robot is too large to be walked once
-for each obstacle; solution.py says how to avoid that.
+O(m) for the sweep and O(m + n) for each obstacle: O(k * m + N) per scenario. That
+passes every group but `many`, where the robot is too large to be walked once for
+each obstacle; solution.py says how to avoid that.
 """
 
 import sys
@@ -25,7 +26,7 @@ def main():
     for _ in range(numbers[0]):
         m, k, dx, dy = numbers[at : at + 4]
         robot, at = read_polygon(numbers, at + 4, m)
-        sweep = convex_hull(robot + [(x + dx, y + dy) for x, y in robot])
+        sweep = minkowski_sum(robot, [(0, 0), (dx, dy)]) if dx or dy else robot
         answer = "YES"
         for _ in range(k):
             obstacle, at = read_polygon(numbers, at + 1, numbers[at])
@@ -42,25 +43,6 @@ def read_polygon(numbers, at, n):
     return list(zip(numbers[at:end:2], numbers[at + 1 : end : 2])), end
 
 
-def convex_hull(points):
-    """Return the strictly convex hull, counter-clockwise (Andrew's monotone chain)."""
-    points = sorted(set(points))
-    return half_hull(points)[:-1] + half_hull(points[::-1])[:-1]
-
-
-def half_hull(points):
-    """Return the chain that only turns left, from the first point to the last."""
-    chain = []
-    for x, y in points:
-        while len(chain) > 1:
-            (ax, ay), (bx, by) = chain[-2:]
-            if (bx - ax) * (y - ay) - (by - ay) * (x - ax) > 0:
-                break
-            chain.pop()
-        chain.append((x, y))
-    return chain
-
-
 def touch(p, q):
     """Do two convex polygons share a point? If and only if 0 is in p + (-q)."""
     return contains_origin(minkowski_sum(p, [(-x, -y) for x, y in q]))
@@ -70,7 +52,8 @@ def minkowski_sum(p, q):
     """Return all sums of a point of p and a point of q: a convex polygon again.
 
     The edges of both are merged by angle. Edges of equal direction are taken
-    together, so that the result is strictly convex.
+    together, so that the result is strictly convex. A segment is a polygon of two
+    vertices here, and of two edges: there and back.
     """
     p = from_lowest(p)
     q = from_lowest(q)
