@@ -28,6 +28,7 @@ from strength.page import page
 from strength.show import as_json, print_cases, print_findings, print_groups
 from strength.table import Matrix, build
 
+FILE_WIDTH = 160  # of the table when it is not printed to a terminal
 FAILURES = (
     CasesError,
     JudgeError,
@@ -116,6 +117,8 @@ def _matrix(options: argparse.Namespace, problem: Problem) -> Matrix:
 
 def _print(matrix: Matrix, analysis: Analysis, seconds: float, *, cases: bool) -> None:
     console = Console()
+    if not console.is_terminal:
+        console.width = FILE_WIDTH
     print_groups(console, analysis)
     if cases:
         print_cases(console, matrix)

@@ -8,6 +8,7 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Sequence
+from concurrent.futures import BrokenExecutor
 from pathlib import Path
 
 import msgspec
@@ -49,6 +50,9 @@ def main(arguments: Sequence[str]) -> int:
         campaign = _campaign(options)
     except (CampaignError, CasesError, SpecError, equivalents.EquivalentsError) as error:
         print(f"strength: {error}", file=sys.stderr)
+        return 2
+    except (OSError, BrokenExecutor) as error:
+        print(f"strength: a mutant could not be tried: {error}", file=sys.stderr)
         return 2
     _report(campaign, time.perf_counter() - start)
     if options.json:

@@ -1,23 +1,41 @@
-"""Solvers against each other: `python -m stress random`, `python -m stress world`, or `all`."""
+"""Solvers against each other: `python -m stress random`, `world`, `complete`, or `all`.
+
+random: random tiny scenarios; world: a complete small world for the Python programs;
+complete: larger complete worlds for the C++ programs, parts of them for Python too;
+all: random and world.
+"""
 
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 import time
 from collections.abc import Iterable
+from functools import partial
 from itertools import chain
 from pathlib import Path
 
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
+
 from gen.scenario import Scenario
-from stress.agree import SOLVERS, SolverError, compare, keep
+from judge.languages import LanguageError
+from judge.sandbox import Sandbox, SandboxError
+from judge.spec import SpecError, load
+from stress.agree import SOLVERS, Disagreement, SolverError, compare, keep
+from stress.complete import WORLDS, World, compare_world, compiled, size
 from stress.worlds import random_scenarios, small_world
 
 
 def main() -> int:
     """Run the command line; return the exit status: 0 agreed, 1 disagreed, 2 failed."""
-    parser = argparse.ArgumentParser(prog="python -m stress", description=__doc__)
-    parser.add_argument("what", choices=["random", "world", "all"])
+    parser = argparse.ArgumentParser(
+        prog="python -m stress",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("what", choices=["random", "world", "complete", "all"])
     parser.add_argument("--seeds", type=int, default=10, help="random: how many (default 10)")
     parser.add_argument(
         "--scenarios", type=int, default=100_000, help="random: for each seed (default 100000)"
@@ -30,7 +48,39 @@ def main() -> int:
         action="append",
         help="a Python program; repeat it (default: solution.py, brute.py, textbook.py)",
     )
+    parser.add_argument(
+        "--grids",
+        type=int,
+        nargs=3,
+        metavar=("ROBOT", "OBSTACLE", "REACH"),
+        help="complete: only this world: points a side (2 to 4) of both grids, reach of the moves "
+        "(default: all worlds that are planned)",
+    )
+    parser.add_argument(
+        "--python-every",
+        type=int,
+        default=100,
+        metavar="N",
+        help="complete: the Python programs answer every N-th part (default 100; 0: none)",
+    )
+    parser.add_argument(
+        "--jobs", type=int, default=len(os.sched_getaffinity(0)), help="complete: parts at a time"
+    )
     arguments = parser.parse_args()
+    try:
+        if arguments.what == "complete":
+            return _complete(arguments)
+        return _in_python(arguments)
+    except (SolverError, SpecError, LanguageError, SandboxError) as error:
+        print(f"stress: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("stress: interrupted", file=sys.stderr)
+        return 2
+
+
+def _in_python(arguments: argparse.Namespace) -> int:
+    """Compare the Python programs; return the exit status."""
     solvers = arguments.solver or list(SOLVERS)
     worlds: list[tuple[str, Iterable[Scenario]]] = []
     if arguments.what != "world":
@@ -41,14 +91,35 @@ def main() -> int:
         grid = f"{arguments.side} x {arguments.side}"
         name = f"all pairs on {grid} grids, all displacements within +-{arguments.reach}"
         worlds.append((name, small_world(arguments.side, arguments.reach)))
-    try:
-        return max([_compare(name, scenarios, solvers) for name, scenarios in worlds])
-    except SolverError as error:
-        print(f"stress: {error}", file=sys.stderr)
-        return 2
-    except KeyboardInterrupt:
-        print("stress: interrupted", file=sys.stderr)
-        return 2
+    return max([_compare(name, scenarios, solvers) for name, scenarios in worlds])
+
+
+def _complete(arguments: argparse.Namespace) -> int:
+    """Compare the C++ programs on complete worlds; return the exit status."""
+    worlds = [World(*arguments.grids)] if arguments.grids else list(WORLDS)
+    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn())
+    status = 0
+    with Sandbox() as sandbox:
+        programs = compiled(load(), sandbox)
+        for world in worlds:
+            start = time.perf_counter()
+            console = Console(stderr=True)
+            with Progress(*columns, console=console, transient=True) as progress:
+                task = progress.add_task(str(world), total=size(world, programs))
+                outcome = compare_world(
+                    world,
+                    programs,
+                    jobs=arguments.jobs,
+                    python_every=arguments.python_every,
+                    progress=partial(progress.advance, task),
+                )
+            seconds = time.perf_counter() - start
+            names = [*programs.solvers]
+            if outcome.by_python:
+                names.append(f"and on {outcome.by_python:,} the Python ones")
+            done = f"{outcome.scenarios:,} scenarios ({outcome.yes:,} YES), {seconds:.0f} s"
+            status = max(status, _tell(str(world), names, outcome.disagreement, done))
+    return status
 
 
 def _compare(name: str, scenarios: Iterable[Scenario], solvers: list[Path]) -> int:
@@ -57,11 +128,16 @@ def _compare(name: str, scenarios: Iterable[Scenario], solvers: list[Path]) -> i
     agreement = compare(scenarios, solvers)
     seconds = time.perf_counter() - start
     done = f"{agreement.scenarios:,} scenarios ({agreement.yes:,} YES), {seconds:.0f} s"
-    if agreement.disagreement is None:
-        print(f"{name}: {', '.join(solver.name for solver in solvers)} agree on {done}")
+    return _tell(name, [solver.name for solver in solvers], agreement.disagreement, done)
+
+
+def _tell(name: str, solvers: list[str], disagreement: Disagreement | None, done: str) -> int:
+    """Print one outcome and return its exit status."""
+    if disagreement is None:
+        print(f"{name}: {', '.join(solvers)} agree on {done}", flush=True)
         return 0
-    kept = keep(agreement.disagreement)
-    answers = ", ".join(f"{who}: {what}" for who, what in agreement.disagreement.answers.items())
+    kept = keep(disagreement)
+    answers = ", ".join(f"{who}: {what}" for who, what in disagreement.answers.items())
     print(f"{name}: {answers}; the scenario is kept in {kept}; {done}")
     return 1
 
