@@ -12,11 +12,13 @@ from pathlib import Path
 from rich.console import Console
 
 from judge.cases import DATA, CasesError
+from judge.files import write_whole
 from judge.judging import JudgeError, Options, default_jobs, judge
+from judge.junit import to_junit
 from judge.languages import LanguageError, by_name
 from judge.report import Live, print_report
 from judge.sandbox import SandboxError
-from judge.schema import write_json
+from judge.schema import to_json
 from judge.spec import SpecError, load
 from judge.submission import Submission, SubmissionError, from_source, read_submission
 from judge.verdict import Verdict
@@ -63,8 +65,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _judge(asked: argparse.Namespace) -> int:
     problem = load()
     submission = _submission(asked)
-    if asked.json is not None and not asked.json.absolute().parent.is_dir():
-        raise JudgeError(f"--json {asked.json}: no such directory")
+    reports = [
+        (option, path, form)
+        for option, path, form in (
+            ("--json", asked.json, to_json),
+            ("--junit", asked.junit, to_junit),
+        )
+        if path is not None
+    ]
+    for option, path, _ in reports:
+        if not path.absolute().parent.is_dir():
+            raise JudgeError(f"{option} {path}: no such directory")
     options = Options(
         data=DATA if asked.data is None else asked.data,
         groups=tuple(asked.group),
@@ -78,11 +89,11 @@ def _judge(asked: argparse.Namespace) -> int:
     with Live(console) as live:
         judging = judge(submission, problem, options, events=live.events)
     print_report(console, judging)
-    if asked.json is not None:
+    for option, path, form in reports:
         try:
-            write_json(asked.json, judging)
+            write_whole(path, form(judging))
         except OSError as error:
-            raise JudgeError(f"--json {asked.json}: {error.strerror}") from None
+            raise JudgeError(f"{option} {path}: {error.strerror}") from None
     if judging.verdict is Verdict.JE:
         return EXIT_ERROR
     return EXIT_ACCEPTED if judging.verdict is Verdict.AC else EXIT_REJECTED
@@ -116,6 +127,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--jobs", type=_at_least_one, default=default_jobs(), metavar="N", help="runs at once")
     add("--time-limit", type=_seconds, metavar="SECONDS", help="CPU seconds a case, not scaled")
     add("--json", type=Path, metavar="FILE", help="write the results as JSON")
+    add("--junit", type=Path, metavar="FILE", help="write the results as JUnit XML")
     add("--stop-on-first", action="store_true", help="end each group at its first failure")
     add("--no-wall", action="store_true", help="judge even when no wall can be raised")
     return parser

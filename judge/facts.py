@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-# The kill limit lies a little above the verdict limit, so that a program at the
-# limit is measured rather than cut, and a report shows by how much it was over.
+# The kill limit lies above the verdict limit, so that a program at the limit is
+# measured rather than cut, and a report shows by how much it was over.
+KILL_FACTOR = 1.1
 KILL_MARGIN_S = 0.25
 WALL_FACTOR = 2.0
 WALL_MARGIN_S = 3.0
@@ -38,7 +39,7 @@ class RunLimits:
     @property
     def kill_cpu_s(self) -> float:
         """CPU seconds at which the run is ended."""
-        return self.time_limit_s + KILL_MARGIN_S
+        return KILL_FACTOR * self.time_limit_s + KILL_MARGIN_S
 
     @property
     def kill_wall_s(self) -> float:

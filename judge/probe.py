@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import subprocess
+from dataclasses import dataclass, replace
 
 from judge.facts import RunLimits
 from judge.sandbox import Command, Sandbox, SandboxError
@@ -32,6 +33,17 @@ def probe() -> Probe:
             why = f"{wall.bwrap}: {printable_lines(str(error).encode(), lines=1)}"
             continue
         if facts.exit_status == 0:
-            return Probe(wall)
+            return Probe(replace(wall, version=_version(wall)))
         why = f"{wall.bwrap}: a trial run ended with exit status {facts.exit_status}"
     return Probe(None, why)
+
+
+def _version(wall: Wall) -> str:
+    """Return what a working bwrap calls itself, `bubblewrap 0.11.0`, or nothing."""
+    try:
+        asked = subprocess.run(
+            [wall.bwrap, "--version"], capture_output=True, env={}, timeout=10, check=True
+        )
+    except (OSError, subprocess.SubprocessError):
+        return ""
+    return printable_lines(asked.stdout, lines=1, width=40)

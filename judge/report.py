@@ -89,12 +89,20 @@ def print_report(console: Console, judging: Judging) -> None:
         console.print(_group_table(judging))
     if failure := judging.first_failure:
         _print_failure(console, failure)
+    if judging.changed:
+        many = f"{len(judging.changed)} verdicts" if judging.changed[1:] else "1 verdict"
+        said = f"{many} changed between two runs; the run alone decided: this machine is noisy"
+        console.print(Text(said, style="yellow"), soft_wrap=True)
     console.print(Text(_limits_line(judging), style="dim"), soft_wrap=True)
     if judging.wall is None:
-        lost = "no wall stood: the program could read, change and send whatever you can"
+        lost = (
+            "no wall stood: the program could read the answers, and read, change and send "
+            "whatever you can"
+        )
         console.print(Text(lost, style="yellow"), soft_wrap=True)
     else:
-        console.print(Text(f"wall: {judging.wall}", style="dim"), soft_wrap=True)
+        kept = "no network, no files but its own, no processes but its own"
+        console.print(Text(f"wall: {judging.wall}: {kept}", style="dim"), soft_wrap=True)
     last = verdict_text(judging.verdict).append(
         f"  {judging.score} of {judging.max_score} points", style="bold"
     )

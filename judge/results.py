@@ -16,8 +16,8 @@ NOT_RUN = "not run"
 class CaseResult:
     """The result of one case; verdict None: it was not run (see `message`).
 
-    retried: it was over a limit beside other runs and was run again alone;
-    first_verdict: what the first of the two runs would have meant, if it differs.
+    retried: it was over the time limit beside other runs, or near it, and was run again
+    alone; first_verdict: what the first of the two runs would have meant, if it differs.
     """
 
     case: Case
@@ -55,7 +55,7 @@ class Judging:
     time_limit_s: the limit that held; declared_s: the one of problem.toml; scale:
     the former over the latter as this machine's speed asks, None if it was not measured.
     partial: not every case of the data was selected, so the score is only a part.
-    message: the compiler's, for CE. wall: the bwrap that stood around every run, or None.
+    message: the compiler's, for CE. wall: the kind of wall that stood around every run, or None.
     """
 
     submission: str
@@ -76,6 +76,11 @@ class Judging:
     def cases(self) -> tuple[CaseResult, ...]:
         """The results of all cases in order."""
         return tuple(result for group in self.groups for result in group.cases)
+
+    @property
+    def changed(self) -> tuple[CaseResult, ...]:
+        """The results whose verdict changed between two runs: the machine is noisy."""
+        return tuple(result for result in self.cases if result.first_verdict is not None)
 
     @property
     def first_failure(self) -> CaseResult | None:

@@ -55,6 +55,8 @@ class Sandbox:
     def __init__(self, wall: Wall | None = None) -> None:
         self.wall = wall
         self.scratch = Path(tempfile.mkdtemp(prefix="collision-course-")).resolve()
+        if os.getuid() == 0:  # the unprivileged user may walk through, but see no names
+            self.scratch.chmod(0o711)
         self._idle: list[_Keeper] = []
         self._all: list[_Keeper] = []
         self._lock = threading.Lock()
@@ -84,20 +86,20 @@ class Sandbox:
 
         stdin: file fed through a pipe, None for an empty one. stdout: file that
         receives at most `limits.output_bytes`. It runs in an empty directory that is
-        removed afterwards; compiling: it may write to `command.directory`.
+        gone afterwards; compiling: it may write to `command.directory`.
         Raises SandboxError.
         """
-        own = self.new_directory("run-")
-        wall, home = None, own
-        if self.wall is not None:
+        own, wall, home = None, None, SCRATCH
+        if self.wall is None:
+            own = home = self.new_directory("run-")
+        else:
             wall = self.wall.request(
                 command.directory, writable=compiling, prefixes=command.prefixes
             )
-            home = SCRATCH
         request = {
             "argv": command.argv,
             "env": {**command.env, "HOME": str(home), "TMPDIR": str(home)},
-            "cwd": "/" if wall else str(own),
+            "cwd": "/" if own is None else str(own),
             "wall": wall,
             "stdin": None if stdin is None else str(stdin),
             "stdout": str(stdout),
@@ -117,7 +119,8 @@ class Sandbox:
         else:
             self._give_back(keeper)
         finally:
-            shutil.rmtree(own, ignore_errors=True)
+            if own is not None:
+                shutil.rmtree(own, ignore_errors=True)
         if "error" in reply:
             raise SandboxError(reply["error"])
         reply["stopped"] = None if reply["stopped"] is None else Stop(reply["stopped"])

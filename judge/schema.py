@@ -1,10 +1,13 @@
-"""The JSON report: its schema, version 1, as the types below say it."""
+"""The JSON report: its schema, as the types below say it.
+
+`python -m judge.schema > docs/report.schema.json` writes the schema down. A field
+added is still version 1; one that is taken away, or means something else, is not.
+"""
 
 from __future__ import annotations
 
-import os
-import tempfile
-from pathlib import Path
+import sys
+from typing import Annotated
 
 import msgspec
 
@@ -14,33 +17,38 @@ from judge.verdict import Verdict
 SCHEMA_VERSION = 1
 
 
-class CaseReport(msgspec.Struct, frozen=True):
+Seconds = Annotated[float, msgspec.Meta(ge=0)]
+Mebibytes = Annotated[float, msgspec.Meta(ge=0)]
+Points = Annotated[int, msgspec.Meta(ge=0)]
+
+
+class CaseReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """One case, in the order of judging; verdict null: not run, and message says why."""
 
     case: str
     group: str
     verdict: Verdict | None
-    cpu_s: float
-    wall_s: float
-    memory_mib: float
+    cpu_s: Seconds
+    wall_s: Seconds
+    memory_mib: Mebibytes
     message: str
     retried: bool
     first_verdict: Verdict | None
 
 
-class GroupReport(msgspec.Struct, frozen=True):
+class GroupReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """One group; score is max_score or 0."""
 
     name: str
     verdict: Verdict
-    score: int
-    max_score: int
+    score: Points
+    max_score: Points
 
 
-class Report(msgspec.Struct, frozen=True):
+class Report(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A whole judging. scale: null if the machine's speed was not measured.
 
-    wall: the bwrap that stood around every run, null for none.
+    wall: the kind of wall that stood around every run, null for none.
     partial: not every case was selected; only groups judged whole score.
     """
 
@@ -48,12 +56,12 @@ class Report(msgspec.Struct, frozen=True):
     submission: str
     language: str
     verdict: Verdict
-    score: int
-    max_score: int
+    score: Points
+    max_score: Points
     partial: bool
     message: str
-    time_limit_s: float
-    declared_time_limit_s: float
+    time_limit_s: Seconds
+    declared_time_limit_s: Seconds
     memory_limit_mib: int
     scale: float | None
     wall: str | None
@@ -95,15 +103,21 @@ def report_of(judging: Judging) -> Report:
     )
 
 
-def write_json(path: Path, judging: Judging) -> None:
-    """Write the report beside `path` and rename it there: never half a file. Raises OSError."""
-    data = msgspec.json.format(msgspec.json.encode(report_of(judging)), indent=2) + b"\n"
-    handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}-")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-        Path(beside).chmod(0o644)
-        Path(beside).replace(path)
-    except BaseException:
-        Path(beside).unlink(missing_ok=True)
-        raise
+def to_json(judging: Judging) -> bytes:
+    """Return the report as JSON text."""
+    return msgspec.json.format(msgspec.json.encode(report_of(judging)), indent=2) + b"\n"
+
+
+def json_schema() -> bytes:
+    """Return the JSON Schema (draft 2020-12) of a report: `docs/report.schema.json`."""
+    schema = {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": f"Report of a judging, version {SCHEMA_VERSION}",
+        **msgspec.json.schema(Report),
+    }
+    text = msgspec.json.format(msgspec.json.encode(schema), indent=2) + b"\n"
+    return text.replace(b"\\n    ", b"\\n")  # docstrings, without their indentation
+
+
+if __name__ == "__main__":
+    sys.stdout.buffer.write(json_schema())

@@ -11,6 +11,7 @@ from __future__ import annotations
 import platform
 import shutil
 from dataclasses import dataclass
+from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -30,9 +31,13 @@ SETTINGS = ("alternatives", "ld.so.cache", "ld.so.conf", "ld.so.conf.d", "java*"
 
 @dataclass(frozen=True, slots=True)
 class Wall:
-    """A `bwrap` to build it with."""
+    """A `bwrap` to build it with, and what that says of its version."""
 
     bwrap: Path
+    version: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.version or 'bubblewrap'} with seccomp"
 
     def request(
         self, program: Path | None, *, writable: bool, prefixes: tuple[str, ...]
@@ -49,7 +54,7 @@ class Wall:
         return {
             "bwrap": str(self.bwrap),
             "binds": binds,
-            "seccomp": filter_program(platform.machine()).hex(),
+            "seccomp": _seccomp(),
             "args": [
                 *("--unshare-all", "--unshare-user", "--uid", "65534", "--gid", "65534"),
                 *("--hostname", "wall", "--cap-drop", "ALL"),
@@ -73,9 +78,15 @@ def candidates() -> list[Wall]:
     return [Wall(Path(path)) for path in paths if path and Path(path).is_file()]
 
 
-def _system() -> list[str]:
+@cache
+def _seccomp() -> str:
+    return filter_program(platform.machine()).hex()
+
+
+@cache
+def _system() -> tuple[str, ...]:
     """Return the arguments that show the system read-only, its symbolic links as such."""
-    args = []
+    args: list[str] = []
     for path in map(Path, SYSTEM):
         if path.is_symlink():
             args += ["--symlink", str(path.readlink()), str(path)]
@@ -84,4 +95,4 @@ def _system() -> list[str]:
     for pattern in SETTINGS:
         for path in sorted(Path("/etc").glob(pattern)):
             args += ["--ro-bind", str(path), str(path)]
-    return args
+    return tuple(args)

@@ -80,7 +80,7 @@ def become(request: dict[str, Any], standard: tuple[int, int, int], starting: in
         hard = resource.getrlimit(what)[1]
         value = value if hard == resource.RLIM_INFINITY else min(value, hard)
         resource.setrlimit(what, (value, value))
-    program: str | int = request["argv"][0]
+    program: str = request["argv"][0]
     argv = request["argv"]
     if request["wall"]:
         os.dup2(starting, STARTED)

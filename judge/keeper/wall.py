@@ -24,17 +24,24 @@ STARTED = 9  # one digit: dash knows no other descriptors
 INNER = 'echo >&9; exec 9>&-; ulimit -u "$0" 2>/dev/null || ulimit -p "$0"; exec "$@"'
 
 
-def walled(wall: dict[str, Any], argv: list[str], processes: int) -> tuple[int, list[str]]:
-    """Prepare the wall in this process; return a descriptor of bwrap and its arguments.
+def walled(wall: dict[str, Any], argv: list[str], processes: int) -> tuple[str, list[str]]:
+    """Prepare the wall in this process; return the path of bwrap and its arguments.
 
     wall: bwrap, its path; args: what it is told besides the binds; binds: triples of
     source, destination, and whether it is writable; seccomp: the filter in hexadecimal.
     Raises OSError.
     """
-    bwrap = os.open(wall["bwrap"], os.O_RDONLY)
+    bwrap = wall["bwrap"]
     sources = [source for source, _, _ in wall["binds"]]
     if os.getuid() == 0:
-        sources = stage(sources)
+        if not all(map(open_to_all, sources)):
+            # A packaged bwrap loads a library that lies beside its package: show both.
+        packages = Path(bwrap).parents[2]
+        if packages != Path("/"):
+            *sources, staged = stage([*sources, str(packages)])
+            bwrap = f"{staged}/{Path(bwrap).relative_to(packages)}"
+        else:
+            sources = stage(sources)
         os.setgroups([])
         os.setresgid(NOBODY, NOBODY, NOBODY)
         os.setresuid(NOBODY, NOBODY, NOBODY)
@@ -47,6 +54,11 @@ def walled(wall: dict[str, Any], argv: list[str], processes: int) -> tuple[int, 
     told = inherited(b"".join(arg.encode() + b"\0" for arg in args))
     inner = ["/bin/sh", "-c", INNER, str(processes), *argv]
     return bwrap, ["bwrap", "--args", str(told), "--", *inner]
+
+
+def open_to_all(path: str) -> bool:
+    """May every user walk to `path`? A new mount namespace is not cheap."""
+    return all(parent.stat().st_mode & 0o001 for parent in Path(path).parents)
 
 
 def stage(sources: list[str]) -> list[str]:
