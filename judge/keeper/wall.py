@@ -34,14 +34,14 @@ def walled(wall: dict[str, Any], argv: list[str], processes: int) -> tuple[str, 
     bwrap = wall["bwrap"]
     sources = [source for source, _, _ in wall["binds"]]
     if os.getuid() == 0:
-        if not all(map(open_to_all, sources)):
-            # A packaged bwrap loads a library that lies beside its package: show both.
+        # A packaged bwrap loads a library that lies beside its package: it needs both.
         packages = Path(bwrap).parents[2]
-        if packages != Path("/"):
-            *sources, staged = stage([*sources, str(packages)])
-            bwrap = f"{staged}/{Path(bwrap).relative_to(packages)}"
-        else:
-            sources = stage(sources)
+        own = [] if packages == Path("/") else [str(packages)]
+        if not all(map(open_to_all, [*sources, *own])):
+            staged = stage([*sources, *own])
+            sources = staged[: len(sources)]
+            if own:
+                bwrap = f"{staged[-1]}/{Path(bwrap).relative_to(packages)}"
         os.setgroups([])
         os.setresgid(NOBODY, NOBODY, NOBODY)
         os.setresuid(NOBODY, NOBODY, NOBODY)
