@@ -37,7 +37,8 @@ class Analysis:
     """The findings.
 
     cells: by submission and group. families: by submission, how many cases of each
-    family kill it. only_killer: by case, the submissions that no other case kills.
+    family kill it. only_killer: by case, the submissions that no other case kills (TLE
+    aside, since it is not known what else would have).
     only_in_group: the same within the case's group (a group is worth all or nothing).
     needless: the cases that kill nothing that others of their group do not kill as well.
     faults: a line for everything that is not as it must be.
@@ -62,13 +63,16 @@ def analyse(matrix: Matrix, problem: Problem, families: Mapping[str, str]) -> An
     group_of = {case.name: case.group for case in matrix.cases}
     only_killer: dict[str, list[str]] = {}
     only_in_group: dict[str, list[str]] = {}
-    for submission, names in killers.items():
-        if len(names) == 1:
-            only_killer.setdefault(names[0], []).append(submission)
+    for row in matrix.rows:
+        names = killers[row.submission]
         in_group = Counter(group_of[name] for name in names)
         for name in names:
+            if row.verdicts[name] is Verdict.TLE:
+                continue  # nothing else of the group was run
+            if len(names) == 1:
+                only_killer.setdefault(name, []).append(row.submission)
             if in_group[group_of[name]] == 1:
-                only_in_group.setdefault(name, []).append(submission)
+                only_in_group.setdefault(name, []).append(row.submission)
     complete = set(groups) == set(problem.group_names)
     return Analysis(
         cells=cells,
@@ -78,9 +82,18 @@ def analyse(matrix: Matrix, problem: Problem, families: Mapping[str, str]) -> An
         },
         only_killer={name: tuple(found) for name, found in only_killer.items()},
         only_in_group={name: tuple(found) for name, found in only_in_group.items()},
-        needless=tuple(case.name for case in matrix.cases if case.name not in only_in_group),
+        needless=tuple(
+            case.name
+            for case in matrix.cases
+            if case.name not in only_in_group and not _slows(case.name, matrix)
+        ),
         faults=tuple(_faults(cells, killers, complete=complete)),
     )
+
+
+def _slows(case: str, matrix: Matrix) -> bool:
+    """Tell whether a submission exceeds the time limit on the case."""
+    return any(row.verdicts.get(case) is Verdict.TLE for row in matrix.rows)
 
 
 def _killers(row: Row) -> list[str]:

@@ -36,7 +36,7 @@ def print_groups(console: Console, analysis: Analysis) -> None:
     groups = list(next(iter(analysis.cells.values()), {}))
     for group in groups:
         table.add_column(group, justify="right", no_wrap=True)
-    table.add_column("killed by families", no_wrap=True, overflow="ellipsis")
+    table.add_column("killed by families", no_wrap=True, overflow="ellipsis", max_width=60)
     for submission, by_group in analysis.cells.items():
         texts = [_coloured(cell) for cell in by_group.values()]
         table.add_row(submission, *texts, family_text(dict(analysis.families[submission])))
