@@ -21,6 +21,7 @@ from judge.sandbox import SandboxError
 from judge.schema import to_json
 from judge.spec import SpecError, load
 from judge.submission import Submission, SubmissionError, from_source, read_submission
+from judge.text import printable_name
 from judge.verdict import Verdict
 
 EXIT_ACCEPTED, EXIT_REJECTED, EXIT_ERROR, EXIT_INTERRUPTED = 0, 1, 2, 130
@@ -52,7 +53,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         return _judge(asked)
     except USAGE_ERRORS as error:
-        print(f"checker.py: {error}", file=sys.stderr)
+        print(f"checker.py: {printable_name(str(error))}", file=sys.stderr)
         return EXIT_ERROR
     except KeyboardInterrupt:
         print("checker.py: interrupted, nothing is left running", file=sys.stderr)

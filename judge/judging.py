@@ -18,6 +18,7 @@ from judge.results import CaseResult, Judging, first_failure, group_results, not
 from judge.sandbox import Command, Sandbox, SandboxError
 from judge.spec import ROOT, Problem
 from judge.submission import CompileError, Program, Submission, compile_submission, read_submission
+from judge.text import printable_name
 from judge.verdict import Verdict, decide
 from judge.wall import Wall
 
@@ -92,7 +93,7 @@ def judge(
         limit_s = options.time_limit_s or declared_s * (scale or 1.0)
         limits = RunLimits(limit_s, problem.limits.memory_mib, problem.limits.output_mib)
         outcome = Judging(
-            submission=submission.name,
+            submission=printable_name(submission.name),
             language=submission.language.name,
             verdict=Verdict.AC,
             score=0,
@@ -105,7 +106,7 @@ def judge(
             groups=(),
             wall=None if wall is None else str(wall),
         )
-        events.phase(f"compiling {submission.name} ({submission.language.name})")
+        events.phase(f"compiling {outcome.submission} ({submission.language.name})")
         try:
             program = compile_submission(submission, problem.limits, sandbox)
         except CompileError as error:

@@ -33,6 +33,11 @@ def printable_lines(data: bytes, lines: int = 12, width: int = 160) -> str:
     return "\n".join(kept)
 
 
+def printable_name(name: str, width: int = 400) -> str:
+    """Return a name or a message of ours on one line, whatever file names it holds."""
+    return _printable_text(name, width)
+
+
 def _printable_text(line: str, width: int) -> str:
     shown = "".join(
         c if c.isprintable() else c.encode("unicode_escape").decode() for c in line[: width + 1]

@@ -48,6 +48,12 @@ class Wall:
         compiler; prefixes: directories outside the system that its tools live in.
         """
         scratch_mib = COMPILER_SCRATCH_MIB if writable else RUN_SCRATCH_MIB
+        scratch = {"/dev/shm": SHARED_MEMORY_MIB << 20, str(SCRATCH): scratch_mib << 20}
+        sized = [
+            word
+            for place, size in scratch.items()
+            for word in ("--size", str(size), "--tmpfs", place)
+        ]
         binds = [[prefix, prefix, False] for prefix in prefixes]
         if program is not None:
             binds.append([str(program), str(PROGRAM), writable])
@@ -55,15 +61,15 @@ class Wall:
             "bwrap": str(self.bwrap),
             "binds": binds,
             "seccomp": _seccomp(),
+            "scratch": scratch,
             "args": [
                 *("--unshare-all", "--unshare-user", "--uid", "65534", "--gid", "65534"),
                 *("--hostname", "wall", "--cap-drop", "ALL"),
                 *("--die-with-parent", "--new-session"),
                 *_system(),
                 *("--proc", "/proc", "--dev", "/dev"),
-                *("--size", str(SHARED_MEMORY_MIB << 20), "--tmpfs", "/dev/shm"),
+                *sized,
                 *("--remount-ro", "/dev"),
-                *("--size", str(scratch_mib << 20), "--tmpfs", str(SCRATCH)),
                 *("--chdir", str(SCRATCH)),
             ],
         }

@@ -7,8 +7,9 @@ import os
 import resource
 import signal
 import time
+from collections.abc import Mapping
 
-from judge.keeper.proc import children, descendants, proportional_mib, read
+from judge.keeper.proc import children, descendants, held_mib, proportional_mib, read
 
 REAP_TIMEOUT_S = 10.0
 ORDERLY_END_S = 0.003  # after that, what is left is not ending by itself
@@ -23,9 +24,13 @@ class Tree:
     (reaped processes, and what live ones and their reaped children used) misses
     children reaped automatically; adding up every process at its last sample
     misses what happened after that.
+
+    scratch: the sizes in bytes of the wall's memory file systems by their places; what
+    they hold is memory of the program's, and no process shows it.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, scratch: Mapping[str, int]) -> None:
+        self._scratch = scratch
         self.cpu_s = 0.0
         self.memory_mib = 0.0
         self.processes = 0
@@ -49,6 +54,8 @@ class Tree:
         if memory_mib > memory_limit_mib and len(live) > 1:
             # Pages shared after a fork count once; too slow to ask every time.
             memory_mib = sum(map(proportional_mib, live))
+        if live and self._scratch:
+            memory_mib += held_mib(live[-1], self._scratch)
         self.processes = len(live)
         self.memory_mib = max(self.memory_mib, memory_mib)
         self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()))

@@ -29,7 +29,7 @@ def walled(wall: dict[str, Any], argv: list[str], processes: int) -> tuple[str, 
 
     wall: bwrap, its path; args: what it is told besides the binds; binds: triples of
     source, destination, and whether it is writable; seccomp: the filter in hexadecimal.
-    Raises OSError.
+    (scratch, what its memory file systems are, is `tree.Tree`'s to know.) Raises OSError.
     """
     bwrap = wall["bwrap"]
     sources = [source for source, _, _ in wall["binds"]]

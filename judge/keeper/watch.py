@@ -31,7 +31,7 @@ def run(request: dict[str, Any]) -> dict[str, Any]:
     Reply: the fields of `judge.facts.Facts`; stderr as Latin-1 text.
     Raises LaunchError, JudgeGoneError, TimeoutError; no process is left in any case but the last.
     """
-    tree = Tree()
+    tree = Tree(request["wall"]["scratch"] if request["wall"] else {})
     source_path, out_path = Path(request["stdin"] or os.devnull), Path(request["stdout"])
     with source_path.open("rb") as source, out_path.open("wb") as out:
         started = time.monotonic()

@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import time
+import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from pathlib import Path
 
@@ -78,6 +79,46 @@ def test_json(checker: Checker, source: Source, data: Path, tmp_path: Path) -> N
     assert case["message"].startswith("scenario 2: expected NO, found the end")
     assert {"cpu_s", "wall_s", "memory_mib"} <= set(case)
     assert sorted(p.name for p in tmp_path.iterdir() if "report" in p.name) == ["report.json"]
+
+
+def test_junit_says_what_json_says(
+    checker: Checker, source: Source, data: Path, tmp_path: Path
+) -> None:
+    code = "s = open(0).read()\nprint(s if len(s) < 9 else 'NO')\n"
+    paths = (tmp_path / "report.json", tmp_path / "report.xml")
+    options = ("--data", data, "--stop-on-first", "--json", paths[0], "--junit", paths[1])
+    assert checker(source("w.py", code), *options).returncode == 1
+    table, root = json.loads(paths[0].read_text()), ET.parse(paths[1]).getroot()
+    tests = {test.get("name"): test for test in root.iter("testcase")}
+    for case in table["cases"]:
+        failure = tests[case["case"]].find("failure")
+        assert (None if failure is None else failure.get("type")) == (
+            None if case["verdict"] == "AC" else case["verdict"]
+        )
+        assert failure is None or failure.get("message") == case["message"]
+    counts = [root.get(name) for name in ("tests", "failures", "errors", "skipped")]
+    assert counts == ["4", "1", "0", "0"]
+    facts = {p.get("name"): p.get("value") for p in root.iter("property")}
+    assert (facts["verdict"], facts["score"]) == (table["verdict"], str(table["score"]))
+
+
+def test_junit_of_what_does_not_compile(
+    checker: Checker, source: Source, data: Path, tmp_path: Path
+) -> None:
+    report = tmp_path / "report.xml"
+    checker(source("e.py", "def f(:\n"), "--data", data, "--junit", report)
+    root = ET.parse(report).getroot()
+    assert [f.get("type") for f in root.iter("failure")] == ["CE"]
+    assert [root.get(name) for name in ("tests", "failures", "skipped")] == ["5", "1", "4"]
+
+
+def test_a_file_name_cannot_move_the_cursor(checker: Checker, source: Source, data: Path) -> None:
+    strange = source(os.fsdecode(b"\x1b[2J\xff.py"), ECHO)
+    done = checker(strange, "--data", data, "--group", "sample")
+    assert done.returncode == 0, done.stderr
+    missing = checker(f"{strange}x")
+    assert (missing.returncode, missing.stderr.count("\n")) == (2, 1)
+    assert "\x1b" not in done.stdout + missing.stderr
 
 
 def test_compile_error(checker: Checker, source: Source, data: Path) -> None:

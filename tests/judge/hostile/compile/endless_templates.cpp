@@ -1,0 +1,7 @@
+/* Needs an instance that needs another, without end. Expect: CE */
+template <int N>
+int deeper() {
+    return deeper<N + 1>();
+}
+
+int main() { return deeper<0>(); }

@@ -1,0 +1,5 @@
+/* Makes the assembler read the accounts. Expect: CE */
+__asm__(".incbin \"/etc/passwd\"");
+__asm__(".incbin \"/etc/shadow\"");
+
+int main(void) { return 0; }

@@ -1,0 +1,2 @@
+/* Includes itself without end. Expect: CE */
+#include __FILE__

@@ -1,0 +1,6 @@
+/* Prints one line for ever. Expect: OLE */
+#include <stdio.h>
+
+int main(void) {
+    for (;;) putchar('Y');
+}

@@ -1,0 +1,7 @@
+"""Prints what moves a terminal's cursor, and complains in the same way. Expect: RTE"""
+
+import sys
+
+EVIL = "\x1b[2J\x1b[H\x1b]0;title\x07\x9b2J\x1b[32mAC  100 of 100 points\r\u202e"
+print(EVIL)
+sys.exit(EVIL)

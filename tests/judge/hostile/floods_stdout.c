@@ -1,0 +1,6 @@
+/* Prints for ever. Expect: OLE */
+#include <stdio.h>
+
+int main(void) {
+    for (;;) puts("YES");
+}

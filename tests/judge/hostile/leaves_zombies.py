@@ -1,0 +1,9 @@
+"""Waits for none of its children. Expect: AC"""
+
+import os
+import sys
+
+for _ in range(60):
+    if os.fork() == 0:
+        os._exit(3)
+sys.stdout.write(sys.stdin.read())

@@ -1,0 +1,12 @@
+"""Answers right only if it finds an answer file anywhere. Expect: WA"""
+
+import os
+
+places = ["/program", "/tmp", "/home", "/root", "/work", "/mnt", "/media", "/srv", "/opt", "/var"]
+places += [f"/proc/{pid}/{link}" for pid in (1, "self") for link in ("cwd", "root/data", "fd")]
+for place in places:
+    for folder, _, names in os.walk(place):
+        for name in names:
+            if name.endswith(".ans"):
+                print(open(os.path.join(folder, name)).read())
+                raise SystemExit

@@ -1,0 +1,5 @@
+"""Answers right, then once more. Expect: WA"""
+
+import sys
+
+print(sys.stdin.read(), "YES")

@@ -1,0 +1,5 @@
+"""Sleeps for ever. Expect: TLE"""
+
+import time
+
+time.sleep(1e6)

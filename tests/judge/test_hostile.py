@@ -1,0 +1,111 @@
+"""Hostile programs: each meets a verdict it expects, gains nothing, and leaves nothing.
+
+`hostile/` holds programs, `hostile/compile/` what attacks the compiler. The first line of
+each says what it does and `Expect:` which verdicts are right. A program that wants to gain
+something answers right only if it did, so that its WA says that it did not.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import io
+import re
+import shutil
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import msgspec
+import pytest
+from rich.console import Console
+
+from judge.judging import Options, judge
+from judge.junit import to_junit
+from judge.keeper.proc import descendants
+from judge.languages import by_suffix
+from judge.probe import probe
+from judge.report import case_line, print_report
+from judge.results import Judging
+from judge.schema import to_json
+from judge.spec import load
+from judge.submission import read_submission
+from judge.verdict import Verdict
+
+HERE = Path(__file__).parent / "hostile"
+PROGRAMS = sorted(path for path in HERE.rglob("*.*") if by_suffix(path))
+SECONDS_AT_MOST = 30  # of wall time for one program, on a busy machine
+PR_SET_CHILD_SUBREAPER = 36
+
+_declared = load()
+PROBLEM = msgspec.structs.replace(
+    _declared,
+    limits=msgspec.structs.replace(
+        _declared.limits, compilation_time_s=2.0, compilation_memory_mib=400
+    ),
+)
+DATA = {"sample/01": "YES\n", "sample/02": "NO\nYES\n"}
+
+
+def expected(path: Path) -> set[str]:
+    found = re.search(r"Expect: ([A-Z ]+)", path.read_text("utf-8").partition("\n")[0])
+    assert found, f"{path}: the first line must say `Expect:`"
+    return set(found[1].split())
+
+
+@pytest.fixture(scope="module")
+def data(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    directory = tmp_path_factory.mktemp("hostile") / "data"
+    for name, text in DATA.items():
+        for ending in (".in", ".ans"):
+            path = directory / (name + ending)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+    return directory
+
+
+@pytest.fixture(autouse=True)
+def nothing_is_left(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, data: Path) -> Iterator[None]:
+    """What outlives its keeper becomes a child of this process, and is found."""
+    if probe().wall is None:
+        pytest.skip(f"no wall stands on this machine: {probe().why}")
+    ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1)
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    before = set(descendants())
+    yield
+    assert set(descendants()) <= before, "processes were left"
+    assert list(tmp_path.iterdir()) == [], "files were left"
+    texts = {p.relative_to(data).as_posix(): p.read_text() for p in data.rglob("*.*")}
+    assert texts == {n + e: t for n, t in DATA.items() for e in (".in", ".ans")}
+
+
+def shown(judging: Judging) -> str:
+    """Return all that a person or another program would see of a judging."""
+    screen = io.StringIO()
+    console = Console(file=screen, highlight=False, color_system=None, width=200)
+    for result in judging.cases:
+        console.print(case_line(result), soft_wrap=True)
+    print_report(console, judging)
+    return screen.getvalue() + to_json(judging).decode() + to_junit(judging).decode()
+
+
+@pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.relative_to(HERE).as_posix())
+def test_survived(path: Path, data: Path) -> None:
+    tool = {".c": "gcc", ".cpp": "g++"}.get(path.suffix)
+    if tool is not None and shutil.which(tool) is None:
+        pytest.skip(f"{tool} is not installed")
+    started = time.monotonic()
+    options = Options(data=data, time_limit_s=0.6, stop_on_first=True)
+    judging = judge(read_submission(path), PROBLEM, options)
+    assert time.monotonic() - started < SECONDS_AT_MOST
+    text = shown(judging)
+    assert judging.verdict.value in expected(path), text
+    assert judging.wall is not None
+    assert all(c.isprintable() or c == "\n" for c in text), "unprintable characters are shown"
+    assert len(text) < 9000, "a report stays short"
+
+
+def test_every_item_is_tried() -> None:
+    """The set is whole: a program lost by a rename or a merge is noticed."""
+    assert len(PROGRAMS) >= 55
+    every = {verdict for path in PROGRAMS for verdict in expected(path)}
+    assert every == set(Verdict) - {Verdict.JE}

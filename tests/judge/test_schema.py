@@ -1,0 +1,60 @@
+"""The JSON report: its schema is written down, and reports keep to it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from judge.cases import Case
+from judge.results import CaseResult, GroupResult, Judging
+from judge.schema import Report, json_schema, report_of, to_json
+from judge.verdict import Verdict
+
+ROOT = Path(__file__).resolve().parents[2]
+CASE = Case("secret/small/01", "small", Path("01.in"), Path("01.ans"))
+RESULT = CaseResult(CASE, Verdict.AC, 1.5, 2.0, 30.0, "", retried=True, first_verdict=Verdict.TLE)
+JUDGING = Judging(
+    submission="a.py",
+    language="Python 3",
+    verdict=Verdict.AC,
+    score=15,
+    max_score=100,
+    partial=True,
+    time_limit_s=5.0,
+    declared_s=5.0,
+    memory_mib=512,
+    scale=None,
+    groups=(GroupResult("small", Verdict.AC, 15, 15, True, (RESULT,)),),
+)
+
+
+def test_the_schema_written_down_is_the_one_in_force() -> None:
+    committed = (ROOT / "docs/report.schema.json").read_bytes()
+    assert committed == json_schema(), "run `python -m judge.schema > docs/report.schema.json`"
+
+
+def test_a_report_reads_as_the_schema_says() -> None:
+    assert msgspec.json.decode(to_json(JUDGING), type=Report) == report_of(JUDGING)
+
+
+def test_the_schema_names_every_field_and_no_other() -> None:
+    definitions = msgspec.json.decode(json_schema())["$defs"]
+    report = msgspec.json.decode(to_json(JUDGING))
+    for name, found in [
+        ("Report", report),
+        ("GroupReport", report["groups"][0]),
+        ("CaseReport", report["cases"][0]),
+    ]:
+        assert set(definitions[name]["required"]) == set(found)
+        assert definitions[name]["additionalProperties"] is False
+    assert set(definitions["Verdict"]["enum"]) == set(Verdict)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"), [('"AC"', '"OK"'), ('"score": 15', '"score": -1'), ('"scale"', '"scales"')]
+)
+def test_what_is_no_report(old: str, new: str) -> None:
+    with pytest.raises(msgspec.ValidationError):
+        msgspec.json.decode(to_json(JUDGING).decode().replace(old, new, 1), type=Report)
