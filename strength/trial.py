@@ -119,10 +119,10 @@ def _run(code: CodeType, content: bytes, answer: bytes) -> bytes:
     sys.stderr = io.StringIO()
     try:
         exec(code, {"__name__": "__main__"})
-        sys.stdout.flush()
     except BaseException as error:  # whatever a mutant raises
         if not (isinstance(error, SystemExit) and not error.code):
             return b"R"
+    sys.stdout.flush()
     if printed.getvalue() == answer:
         return b"."
     printed.seek(0)
