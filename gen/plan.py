@@ -44,6 +44,7 @@ class Case:
 HUGE: Parameters = {"reach": 90_000_000, "size": 90_000_000, "corner": 1}
 STILL: Parameters = {"move": "zero"}
 FULL: Parameters = {"vertices": 500_000}
+ONE_ON_ONE: Parameters = {"scenarios": 1, "m": 1_000, "obstacles": 1, "n": 1_000}
 
 PLANNED = (
     Case("sample", "01-first"),
@@ -67,6 +68,14 @@ PLANNED = (
     Case("static", "12-rooms", "rooms", STILL),
     Case("static", "13-mixture", "mixture", STILL),
     Case("static", "14-round", "contacts", STILL | {"most": 60, "reach": 4_000, "size": 2_000}),
+    Case("static", "15-cuts", "cuts", STILL),
+    Case("static", "16-cuts-round", "cuts", STILL | {"reach": 400, "most": 40}),
+    Case("static", "17-slivers", "slivers", STILL),
+    Case("static", "18-diagonal", "diagonal", STILL),
+    Case("static", "19-hugging", "hugging", {"far": 0, "scenarios": 6, "obstacles": 20, "n": 9}),
+    Case("static", "20-in-line", "in_line", STILL),
+    Case("static", "21-wedges", "wedges"),
+    Case("static", "22-rounds", "rounds", STILL),
     # small: everything that the brute force can still agree to
     Case("small", "01-world", "world", {"grid": 2, "order": "random", "vertices": 2_000}),
     Case("small", "02-tiny", "tiny"),
@@ -95,7 +104,18 @@ PLANNED = (
     Case("small", "20-rooms-sheared", "rooms", {"shear": 20_000, "corner": 1}),
     Case("small", "21-mixture", "mixture"),
     Case("small", "22-hugging", "hugging", {"scenarios": 5, "m": 100, "n": 10, "obstacles": 30}),
-    # large: sizes, but little k * m
+    Case("small", "23-cuts", "cuts"),
+    Case("small", "24-cuts-round", "cuts", {"reach": 400, "far": 1_000, "most": 40}),
+    Case("small", "25-cuts-huge", "cuts", {"reach": 9_000_000, "far": 9_000_000, "corner": 1}),
+    Case("small", "26-slivers", "slivers"),
+    Case("small", "27-diagonal", "diagonal"),
+    Case("small", "30-in-line", "in_line"),
+    Case("small", "31-rounds", "rounds"),
+    # Two polygons as large as a file of this group permits: one answer each.
+    Case("small", "28-one-on-one", "hugging", ONE_ON_ONE | {"deciding": "none"}),
+    Case("small", "29-one-on-one-touching", "hugging", ONE_ON_ONE | {"deciding": "any"}),
+    # large: sizes, but little k * m. First of all a cheap case in which most wrong ideas fail.
+    Case("large", "00-mixture", "mixture", {"vertices": 30_000}),
     Case(
         "large",
         "01-largest",
@@ -156,7 +176,11 @@ PLANNED = (
         "hugging",
         {"scenarios": 4, "m": 60_000, "n": 30_000, "obstacles": 2, "far": 100_000_000},
     ),
+    Case("large", "14-cuts", "cuts", {"vertices": 30_000, "reach": 400, "far": 400, "most": 40}),
+    Case("large", "15-slivers", "slivers", {"vertices": 10_000}),
+    Case("large", "16-diagonal", "diagonal", {"vertices": 10_000}),
     # many: one unit decides, wherever one looks
+    Case("many", "00-mixture", "mixture", {"vertices": 30_000}, repeat=2),
     Case(
         "many",
         "01-triangles",

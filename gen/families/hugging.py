@@ -10,7 +10,6 @@ from gen.families.common import any_vector
 from gen.families.registry import (
     Between,
     FamilyError,
-    Length,
     OneOf,
     Scenarios,
     Vertices,
@@ -18,7 +17,7 @@ from gen.families.registry import (
 )
 from gen.geometry import Polygon, Sweep, step_right, sweep
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised, fits, into_corner
+from gen.scenario import LIMIT, Scenario, disguised, fits, into_corner
 from gen.shapes.convex import arc, in_box, near_circle, random_convex
 
 ROBOTS = ("circle", "random", "arc")
@@ -69,7 +68,7 @@ def hugging(
     m: Vertices = 100,
     obstacles: Annotated[int, Between(1, 166_665)] = 50,
     n: Vertices = 3,
-    far: Length = 1_000,
+    far: Annotated[int, Between(0, 2 * LIMIT)] = 1_000,
     robot: Annotated[str, OneOf(ROBOTS)] = "circle",
     flat: Annotated[int, Between(0, 100_000)] = 0,
     deciding: Annotated[str, OneOf(DECIDING)] = "pairs",
@@ -78,8 +77,8 @@ def hugging(
 
     Half of them are placed at an edge of the sweep, half at a vertex. With flat >= 1
     every other one is a triangle that faces the sweep with an edge of up to so many
-    lattice steps. Everything lies in a corner of the world. deciding: none; any; the
-    last; pairs: in half of the scenes none, in half any.
+    lattice steps. Everything lies in a corner of the world. far 0: nothing moves. deciding:
+    none; any; the last; pairs: in half of the scenes none, in half any.
     """
     shapes = obstacle_shapes(rng, n, obstacles)
     turns = [deciding] * scenarios
@@ -99,7 +98,7 @@ def hugging(
 def _hugged(
     rng: Rng, robot: Polygon, count: int, shapes: list[Polygon], far: int, flat: int, who: str
 ) -> Scenario:
-    move = any_vector(rng, far)
+    move = any_vector(rng, far) if far else (0, 0)
     covered = sweep(robot, move)
     pairs: list[Pair] = []
     for number, support in enumerate(around(rng, covered, count)):
