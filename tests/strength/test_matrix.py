@@ -1,0 +1,130 @@
+"""The kill matrix: verdicts, what is kept, what follows from them, and how it is shown."""
+
+import re
+
+import msgspec
+import pytest
+
+from judge.cases import DATA, Case
+from judge.facts import RunLimits
+from judge.sandbox import Sandbox
+from judge.spec import load
+from judge.verdict import Verdict
+from strength.analysis import analyse
+from strength.page import page
+from strength.show import as_json
+from strength.table import Matrix, Row, build
+
+PROBLEM = load()
+LIMITS = RunLimits(5.0, 512, 8)
+YES, NO = "wrong_answer/always_yes.py", "wrong_answer/always_no.py"
+AC, WA, TLE = Verdict.AC, Verdict.WA, Verdict.TLE
+
+
+@pytest.fixture
+def cases(tmp_path):
+    """One case with the answer YES, one with NO; the programs read only the first number."""
+    made = []
+    for name, answer in (("1", "YES"), ("2", "NO")):
+        (tmp_path / f"{name}.in").write_text("1\n")
+        (tmp_path / f"{name}.ans").write_text(f"{answer}\n")
+        made.append(
+            Case(f"secret/small/{name}", "small", tmp_path / f"{name}.in", tmp_path / f"{name}.ans")
+        )
+    return made
+
+
+def matrix_of(cases, cache):
+    with Sandbox() as sandbox:
+        return build([YES, NO], cases, PROBLEM, LIMITS, sandbox, jobs=2, cache=cache)
+
+
+def test_verdicts_are_judged_once_and_again_when_a_file_changes(cases, tmp_path):
+    first = matrix_of(cases, tmp_path / "kept")
+    assert [list(row.verdicts.values()) for row in first.rows] == [[AC, WA], [WA, AC]]
+    assert first.judged == 4
+    again = matrix_of(cases, tmp_path / "kept")
+    assert (again.rows, again.judged) == (first.rows, 0)
+    cases[0].input.write_text("2\n")
+    cases[0].answer.write_text("NO\nNO\n")
+    changed = matrix_of(cases, tmp_path / "kept")
+    assert [list(row.verdicts.values()) for row in changed.rows] == [[WA, WA], [AC, AC]]
+    assert changed.judged == 2
+
+
+def test_kept_verdicts_that_are_damaged_are_judged_again(cases, tmp_path):
+    first = matrix_of(cases, tmp_path / "kept")
+    for path in (tmp_path / "kept").iterdir():
+        path.write_bytes(b"{")
+    again = matrix_of(cases, tmp_path / "kept")
+    assert (again.rows, again.judged) == (first.rows, 4)
+
+
+def made(**verdicts):
+    """A matrix of made-up verdicts: two cases each of small and large."""
+    names = ["secret/small/1", "secret/small/2", "secret/large/1", "secret/large/2"]
+    cases = tuple(Case(n, n.split("/")[1], DATA / n, DATA / n) for n in names)
+    rows = tuple(
+        Row(f"wrong_answer/{name}", {n: v for n, v in zip(names, found, strict=True) if v})
+        for name, found in verdicts.items()
+    )
+    return Matrix(rows, cases, 0)
+
+
+def declared(**groups):
+    """The problem with only the groups small and large, and the submissions declared so."""
+    names = {f"wrong_answer/{name}": expected for name, expected in groups.items()}
+    kept = [group for group in PROBLEM.groups if group.name in ("small", "large")]
+    return msgspec.structs.replace(PROBLEM, groups=kept, submissions=names)
+
+
+def test_findings():
+    matrix = made(a=[WA, AC, WA, WA], b=[WA, WA, TLE, None], c=[AC, AC, WA, AC])
+    problem = declared(
+        a={"small": "WA", "large": "WA"},
+        b={"small": "WA", "large": "TLE"},
+        c={"large": "WA"},
+    )
+    families = {"secret/small/1": "tiny", "secret/small/2": "tiny", "secret/large/1": "rooms"}
+    found = analyse(matrix, problem, families)
+    assert found.only_killer == {"secret/large/1": ("wrong_answer/c",)}
+    assert found.only_in_group == {
+        "secret/small/1": ("wrong_answer/a",),
+        "secret/large/1": ("wrong_answer/c",),
+    }
+    assert found.needless == ("secret/small/2", "secret/large/2")
+    assert found.families["wrong_answer/b"] == {"tiny": 2, "rooms": 1}
+    assert found.faults == (
+        "wrong_answer/c: expected at least 3 cases that kill it, found secret/large/1",
+    )
+
+
+def test_a_group_that_is_not_as_declared_is_a_fault():
+    found = analyse(made(a=[WA, WA, WA, AC]), declared(a={"small": "WA"}), {})
+    assert found.faults == ("wrong_answer/a: large: expected AC, found WA",)
+    assert not found.cells["wrong_answer/a"]["large"].as_declared
+
+
+def test_few_kills_are_no_fault_when_only_some_groups_were_judged():
+    matrix = made(a=[WA, AC, AC, AC])
+    small = Matrix(matrix.rows, matrix.cases[:2], 0)
+    assert analyse(small, declared(a={"small": "WA"}), {}).faults == ()
+
+
+def test_the_page_needs_nothing_else_and_escapes_what_it_shows():
+    matrix = made(**{"<b>": [WA, AC, WA, TLE]})
+    analysis = analyse(matrix, declared(**{"<b>": {"small": "WA"}}), {})
+    text = page(matrix, analysis, {})
+    assert "<b>" not in text
+    assert "&lt;b&gt;" in text
+    assert not re.search(r"<script|<link|src=|href=|url\(|@import|http", text)
+    assert text.count('class="WA" title="WA"') == 2
+    assert 'class="TLE" title="TLE"' in text
+
+
+def test_json_holds_every_verdict():
+    matrix = made(a=[WA, AC, WA, TLE])
+    content = msgspec.json.decode(as_json(matrix, analyse(matrix, declared(a={}), {})))
+    assert content["version"] == 1
+    assert list(content["submissions"][0]["cases"].values()) == ["WA", "AC", "WA", "TLE"]
+    assert content["submissions"][0]["groups"]["small"]["killed"] == 1
