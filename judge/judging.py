@@ -3,30 +3,28 @@
 from __future__ import annotations
 
 import os
-from collections import deque
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
+from collections.abc import Callable
+from concurrent.futures import Executor, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from judge.cases import DATA, Case, check_built, find_cases, select
-from judge.compare import compare
 from judge.facts import RunLimits
 from judge.manifest import check_complete, check_sums, load_manifest
 from judge.probe import probe
 from judge.results import CaseResult, Judging, first_failure, group_results, not_run
-from judge.sandbox import Command, Sandbox, SandboxError
+from judge.runs import Runs, run_case
+from judge.sandbox import Sandbox
 from judge.spec import ROOT, Problem
-from judge.submission import CompileError, Program, Submission, compile_submission, read_submission
+from judge.submission import CompileError, Submission, compile_submission, read_submission
 from judge.text import printable_name
-from judge.verdict import Verdict, decide
+from judge.verdict import Verdict
 from judge.wall import Wall
 
 REFERENCE = ROOT / "solution.py"
 SUBMISSIONS = ROOT / "submissions"
 CALIBRATION_LIMIT_FACTOR = 100.0  # a machine slower than this is out of order
 SCALE_RUNS = 3
-RUNS_BEFORE_JE = 2
 
 
 class JudgeError(Exception):
@@ -118,9 +116,16 @@ def judge(
             return replace(outcome, verdict=Verdict.CE, groups=groups, message=str(error))
         events.start(len(cases))
         results = []
-        own = None if executor else ThreadPoolExecutor(options.jobs)
+        own = ThreadPoolExecutor(options.jobs)  # starts no thread that is not used
         try:
-            runs = _Runs(sandbox, program, limits, executor or own, options)
+            runs = Runs(
+                sandbox,
+                program,
+                limits,
+                executor or own,
+                jobs=options.jobs,
+                stop_on_first=options.stop_on_first,
+            )
             for result in runs.in_order(cases):
                 events.result(result)
                 results.append(result)
@@ -128,8 +133,7 @@ def judge(
             sandbox.close()  # ends the runs, so that their threads end too
             raise
         finally:
-            if own is not None:
-                own.shutdown(cancel_futures=True)
+            own.shutdown(cancel_futures=True)
         groups = group_results(problem, all_cases, results)
         return replace(
             outcome,
@@ -169,48 +173,31 @@ def _wall_for(submission: Submission, problem: Problem, options: Options) -> Wal
     )
 
 
-def run_case(sandbox: Sandbox, command: Command, limits: RunLimits, case: Case) -> CaseResult:
-    """Run a program on one case and judge it. A failure of the sandbox, twice, is JE."""
-    failure = ""
-    for _ in range(RUNS_BEFORE_JE):
-        directory = sandbox.new_directory("output-")
-        output = directory / "stdout"
-        try:
-            facts = sandbox.run(command, limits, stdin=case.input, stdout=output)
-            with output.open("rb") as found, case.answer.open("rb") as expected:
-                judgement = decide(facts, limits, compare(found, expected))
-        except (SandboxError, OSError) as error:
-            failure = str(error)
-            continue
-        finally:
-            output.unlink(missing_ok=True)
-            if directory.is_dir():
-                directory.rmdir()
-        return CaseResult(
-            case,
-            judgement.verdict,
-            round(facts.cpu_s, 4),
-            round(facts.wall_s, 4),
-            round(facts.memory_mib, 2),
-            judgement.message,
-        )
-    return CaseResult(case, Verdict.JE, 0.0, 0.0, 0.0, failure)
-
-
 def machine_scale(problem: Problem, sandbox: Sandbox) -> float | None:
     """Return how many times slower than the calibrating machine this one is, at least 1.
 
-    Times the reference on the calibration case, up to SCALE_RUNS times, and takes the
-    least: noise only adds. None when that case is not built. Raises JudgeError if the
-    reference fails on it.
+    None when the calibration case is not built. Raises JudgeError as `reference_cpu_s`.
     """
-    case_name = problem.calibration.case
-    stem = DATA / case_name
-    case = Case(
-        case_name, "", stem.with_name(stem.name + ".in"), stem.with_name(stem.name + ".ans")
-    )
-    if not (case.input.is_file() and case.answer.is_file() and REFERENCE.is_file()):
+    declared_s = problem.calibration.reference_cpu_s
+    if not calibration_case(problem).input.is_file():
         return None
+    return max(1.0, reference_cpu_s(problem, sandbox, SCALE_RUNS, enough_s=declared_s) / declared_s)
+
+
+def calibration_case(problem: Problem) -> Case:
+    """Return the case that machines are compared on; it may not be built."""
+    name = problem.calibration.case
+    stem = DATA / name
+    return Case(name, "", stem.with_name(stem.name + ".in"), stem.with_name(stem.name + ".ans"))
+
+
+def reference_cpu_s(problem: Problem, sandbox: Sandbox, runs: int, enough_s: float = 0.0) -> float:
+    """Return the CPU seconds of the reference on the calibration case: the least of `runs`.
+
+    The least, as what disturbs a measurement only ever adds to it; no more runs than it
+    takes to stay within `enough_s`. Raises JudgeError if the reference fails.
+    """
+    case = calibration_case(problem)
     check_sums(load_manifest(DATA), [case])
     try:
         reference = compile_submission(read_submission(REFERENCE), problem.limits, sandbox)
@@ -222,83 +209,13 @@ def machine_scale(problem: Problem, sandbox: Sandbox) -> float | None:
         problem.limits.output_mib,
     )
     least_s = limits.time_limit_s
-    for _ in range(SCALE_RUNS):
+    for _ in range(runs):
         result = run_case(sandbox, reference.command, limits, case)
         if result.verdict is not Verdict.AC:
             raise JudgeError(
                 f"the reference is not accepted on {case.name}: {result.verdict} {result.message}"
             )
         least_s = min(least_s, result.cpu_s)
-        if least_s <= problem.calibration.reference_cpu_s:
-            break  # the scale is 1 already
-    return max(1.0, least_s / problem.calibration.reference_cpu_s)
-
-
-class _Runs:
-    """Runs cases on an executor, some at a time, and yields their results in order."""
-
-    def __init__(
-        self,
-        sandbox: Sandbox,
-        program: Program,
-        limits: RunLimits,
-        executor: Executor | None,
-        options: Options,
-    ) -> None:
-        assert executor is not None
-        self._executor = executor
-        self._task = (sandbox, program.command, limits)
-        self._jobs = options.jobs
-        self._stop_on_first = options.stop_on_first
-
-    def in_order(self, cases: Sequence[Case]) -> Iterator[CaseResult]:
-        """Yield one result per case.
-
-        What was over the time limit beside others, or not by much, runs again, alone, and
-        that run decides: what disturbs a measurement only ever adds to it.
-        """
-        waiting = deque(cases)
-        running: deque[tuple[Case, Future[CaseResult], bool]] = deque()
-        stopped: set[str] = set()  # groups with a failure, if that ends a group
-        while waiting or running:
-            while waiting and len(running) < self._jobs:
-                case = waiting.popleft()
-                if case.group in stopped:
-                    running.append((case, self._skipped(case), False))
-                else:
-                    running.append((case, self._submit(case), self._jobs > 1))
-            case, future, beside_others = running.popleft()
-            result = self._result(case, future)
-            if case.group in stopped:
-                result = not_run(case, "an earlier case of its group failed")
-            elif result.verdict is Verdict.TLE and (beside_others or self._near(result)):
-                result = self._again_alone(result, [future for _, future, _ in running])
-            if self._stop_on_first and result.verdict not in (None, Verdict.AC):
-                stopped.add(case.group)
-            yield result
-
-    def _submit(self, case: Case) -> Future[CaseResult]:
-        return self._executor.submit(run_case, *self._task, case)
-
-    def _skipped(self, case: Case) -> Future[CaseResult]:
-        future: Future[CaseResult] = Future()
-        future.set_result(not_run(case, "an earlier case of its group failed"))
-        return future
-
-    def _result(self, case: Case, future: Future[CaseResult]) -> CaseResult:
-        """Wait for a result; a broken worker costs a second try, never the result."""
-        try:
-            return future.result()
-        except Exception:
-            return run_case(*self._task, case)
-
-    def _near(self, result: CaseResult) -> bool:
-        """Was this run over the limit, but came to its own end? Then not by much."""
-        limits = self._task[2]
-        return limits.time_limit_s < result.cpu_s <= limits.kill_cpu_s
-
-    def _again_alone(self, first: CaseResult, others: list[Future[CaseResult]]) -> CaseResult:
-        wait(others)
-        result = run_case(*self._task, first.case)
-        changed = first.verdict if result.verdict is not first.verdict else None
-        return replace(result, retried=True, first_verdict=changed)
+        if least_s <= enough_s:
+            break
+    return least_s

@@ -13,8 +13,9 @@ import pytest
 
 from judge.cases import Case
 from judge.facts import RunLimits
-from judge.judging import Events, Options, judge, run_case
+from judge.judging import Events, Options, judge
 from judge.results import CaseResult, Judging
+from judge.runs import run_case
 from judge.sandbox import Command, Sandbox
 from judge.spec import load
 from judge.submission import read_submission
