@@ -111,13 +111,14 @@ def run(
     jobs: int,
     quick: int | None = None,
     seed: int = 1,
+    thorough: bool = False,
     root: Path = ROOT,
     start: Callable[[int], None] = lambda _mutants: None,
     done: Callable[[Finding], None] = lambda _finding: None,
 ) -> Campaign:
     """Try all mutants of all programs, or `quick` of them, in `jobs` processes.
 
-    What is called equivalent is tried on the light cases only when quick. Raises
+    What is called equivalent is tried on the light cases only, unless thorough. Raises
     CampaignError if an unchanged program fails a case.
     """
     limits = problem.limits.time_limit_s, problem.limits.memory_mib
@@ -142,8 +143,7 @@ def run(
         numbers = {}
         for number, mutant in enumerate(chosen):
             plan = by_program[mutant.program]
-            entry = entry_of(mutant, entries)
-            heavy = () if quick is not None and entry else plan.heavy
+            heavy = plan.heavy if thorough or not entry_of(mutant, entries) else ()
             future = pool.submit(_kill, mutant.source, plan.light, heavy, *limits)
             numbers[future] = number
         findings: dict[int, Finding] = {}

@@ -42,6 +42,11 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--seed", type=int, default=1, help="of --quick (default 1)")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--light", action="store_true", help="only the groups of small files")
+    parser.add_argument(
+        "--thorough",
+        action="store_true",
+        help="try on the large files, too, what is called equivalent (takes five times as long)",
+    )
     parser.add_argument("--json", type=Path, metavar="FILE", help="write all findings")
     parser.add_argument("--data", type=Path, default=DATA, help="of the test cases")
     options = parser.parse_args(arguments)
@@ -96,6 +101,7 @@ def _campaign(options: argparse.Namespace) -> Campaign:
             jobs=options.jobs,
             quick=options.quick,
             seed=options.seed,
+            thorough=options.thorough,
             start=begin,
             done=advance,
         )
