@@ -1,0 +1,27 @@
+"""The reference and the naive solver, judged as a contestant's programs would be."""
+
+import pytest
+
+from judge.cases import DATA, find_cases
+from judge.judging import Options, judge
+from judge.spec import ROOT, load
+from judge.submission import read_submission
+
+PROBLEM = load()
+BUILT = {case.group for case in find_cases(DATA, PROBLEM)}
+
+EXPECTED = {
+    "solution.py": ["AC", "AC", "AC", "AC", "AC"],
+    "brute.py": ["AC", "AC", "AC", "TLE", "TLE"],
+}
+
+
+@pytest.mark.parametrize("program", EXPECTED)
+def test_verdicts_of_the_two_solvers(program):
+    missing = set(PROBLEM.group_names) - BUILT
+    if missing:
+        pytest.skip(f"no data for {', '.join(sorted(missing))}: run 'make data'")
+    judging = judge(read_submission(ROOT / program), PROBLEM, Options(stop_on_first=True))
+    assert [group.verdict for group in judging.groups] == EXPECTED[program]
+    assert judging.max_score == 100
+    assert judging.score == {"solution.py": 100, "brute.py": 30}[program]
