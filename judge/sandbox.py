@@ -13,6 +13,7 @@ import threading
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from signal import SIGKILL
 from types import TracebackType
 from typing import Any, Self
 
@@ -24,6 +25,9 @@ from judge.wall import PROGRAM, SCRATCH, Wall
 KIT = Path(__file__).resolve().parent.parent
 ANSWER_MARGIN_S = 30.0  # what a keeper may need beyond the wall limit before it is given up
 FILE_MIB = 256  # the largest file a run may write into its scratch directory
+
+
+KILLED = 128 + SIGKILL  # as a wall, or a shell, passes it on
 
 
 class SandboxError(Exception):
@@ -87,8 +91,22 @@ class Sandbox:
         stdin: file fed through a pipe, None for an empty one. stdout: file that
         receives at most `limits.output_bytes`. It runs in an empty directory that is
         gone afterwards; compiling: it may write to `command.directory`.
-        Raises SandboxError.
+        What is ended by a SIGKILL that is not the keeper's is run once more: the kernel,
+        out of memory, or a person may have sent it. Raises SandboxError.
         """
+        facts = self._run(command, limits, stdin, stdout, compiling)
+        if facts.stopped is None and (facts.signal == SIGKILL or facts.exit_status == KILLED):
+            facts = self._run(command, limits, stdin, stdout, compiling)
+        return facts
+
+    def _run(
+        self,
+        command: Command,
+        limits: RunLimits,
+        stdin: Path | None,
+        stdout: Path,
+        compiling: bool,
+    ) -> Facts:
         own, wall, home = None, None, SCRATCH
         if self.wall is None:
             own = home = self.new_directory("run-")

@@ -51,6 +51,9 @@ def run(request: dict[str, Any]) -> dict[str, Any]:
     if not stands:
         raise LaunchError(f"the wall does not stand: {sink.stderr.decode('latin-1').strip()}")
     status = tree.status[pid]
+    if request["wall"] and stopped is None and os.WIFSIGNALED(status):
+        # The program cannot reach what stands around it.
+        raise LaunchError(f"the wall was ended by signal {os.WTERMSIG(status)}")
     return {
         "exit_status": os.WEXITSTATUS(status) if os.WIFEXITED(status) else None,
         "signal": os.WTERMSIG(status) if os.WIFSIGNALED(status) else None,

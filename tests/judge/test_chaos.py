@@ -1,0 +1,101 @@
+"""Parts of the judge are killed at random moments: a judge error at worst, and nothing is left."""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from judge.keeper.proc import children, descendants, read
+from judge.probe import probe
+
+ROOT = Path(__file__).resolve().parents[2]
+PR_SET_CHILD_SUBREAPER = 36
+LONGEST_MOMENT_S = 1.2  # by then a judging of these cases is over, or nearly
+ECHO = "import sys, time\ntime.sleep(0.1)\nsys.stdout.write(sys.stdin.read())\n"
+
+_random = random.Random(3)
+ROUNDS = [
+    (victim, round(_random.random() * LONGEST_MOMENT_S, 3))
+    for victim in ("keeper", "wall", "first process", "checker")
+    for _ in range(5)
+]
+
+
+@pytest.fixture(autouse=True)
+def no_process_is_left() -> Iterator[None]:
+    """What outlives the checker becomes a child of this process, and is found."""
+    found = probe()
+    if found.wall is None:
+        pytest.skip(f"no wall stands on this machine: {found.why}")
+    ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1)
+    before = set(descendants())
+    yield
+    give_up = time.monotonic() + 20
+    while alive() - before and time.monotonic() < give_up:
+        time.sleep(0.02)
+    assert not alive() - before, "processes were left"
+
+
+def alive() -> set[int]:
+    """Return the living descendants; the dead of others are reaped by nobody but us."""
+    states = {
+        pid: read(f"/proc/{pid}/stat").rpartition(")")[2].split()[:1] for pid in descendants()
+    }
+    return {pid for pid, state in states.items() if state not in ([], ["Z"])}
+
+
+def find(victim: str, checker: int) -> int | None:
+    """Return a process that plays this part at the moment."""
+    generation = [checker]
+    for _ in range(["checker", "keeper", "wall", "first process"].index(victim)):
+        generation = [child for pid in generation for child in children(pid)]
+    return generation[0] if generation else None
+
+
+@pytest.mark.parametrize(("victim", "moment_s"), ROUNDS)
+def test_killed(
+    victim: str, moment_s: float, source: Callable[[str, str], Path], data: Path, tmp_path: Path
+) -> None:
+    scratch, report = tmp_path / "scratch", tmp_path / "report.json"
+    scratch.mkdir()
+    command = [sys.executable, str(ROOT / "checker.py"), str(source("echo.py", ECHO))]
+    options = ["--data", str(data), "--jobs", "2", "--time-limit", "5", "--json", str(report)]
+    with subprocess.Popen(
+        [*command, *options],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "TMPDIR": str(scratch)},
+    ) as process:
+        time.sleep(moment_s)
+        pid = None
+        while pid is None and process.poll() is None:  # until somebody plays the part
+            pid = find(victim, process.pid)
+        if pid is not None:
+            try:
+                os.kill(pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pid = None  # it has just ended
+        _, stderr = process.communicate(timeout=60)
+    assert "Traceback" not in stderr
+    if pid == process.pid:
+        assert process.returncode == -signal.SIGKILL
+    else:
+        assert process.returncode in (0, 2), stderr  # accepted, or a judge error
+    if report.exists():
+        judged = json.loads(report.read_text())
+        assert {judged["verdict"], *(case["verdict"] for case in judged["cases"])} <= {"AC", "JE"}
+    give_up = time.monotonic() + 20
+    while list(scratch.iterdir()) and time.monotonic() < give_up:
+        time.sleep(0.02)
+    assert list(scratch.iterdir()) == [], "files were left"
