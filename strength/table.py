@@ -13,7 +13,7 @@ import msgspec
 from gen.files import write_atomically
 from judge.cases import Case
 from judge.facts import RunLimits
-from judge.judging import run_case
+from judge.runs import run_case
 from judge.sandbox import Command, Sandbox
 from judge.spec import ROOT, Problem
 from judge.submission import CompileError, Submission, compile_submission, read_submission
