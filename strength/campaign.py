@@ -23,6 +23,7 @@ from strength.trial import Kill, Trial, first_kill
 
 LIGHT_VERTICES = 2_000  # groups whose files are at most so large are tried first
 LIGHT_LIMIT_S = 2.0  # 100 times what the originals take: what is over it does not end
+HEAVY_FACTOR = 3.0  # of the declared limit: a busy machine must not fail the originals
 REFERENCE = "solution.py"
 SUBMISSIONS = "submissions/"
 ACCEPTED = "accepted/"
@@ -121,7 +122,7 @@ def run(
     What is called equivalent is tried on the light cases only, unless thorough. Raises
     CampaignError if an unchanged program fails a case.
     """
-    limits = problem.limits.time_limit_s, problem.limits.memory_mib
+    limits = HEAVY_FACTOR * problem.limits.time_limit_s, problem.limits.memory_mib
     by_program = {plan.program: plan for plan in plans}
     every: list[Mutant] = []
     # Workers fork children themselves, so they are fresh processes without threads.
