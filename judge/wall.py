@@ -25,8 +25,9 @@ COMPILER_SCRATCH_MIB = 512
 SHARED_MEMORY_MIB = 16
 
 SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64")
-# What compilers and run-time systems read of /etc; accounts and keys are not among it.
-SETTINGS = ("alternatives", "ld.so.cache", "ld.so.conf", "ld.so.conf.d", "java*")
+# What run-time systems, and compilers, read of /etc; accounts and keys are not among it.
+RUN_SETTINGS = ("alternatives", "ld.so.cache", "java*")
+COMPILER_SETTINGS = (*RUN_SETTINGS, "ld.so.conf", "ld.so.conf.d")
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +67,7 @@ class Wall:
                 *("--unshare-all", "--unshare-user", "--uid", "65534", "--gid", "65534"),
                 *("--hostname", "wall", "--cap-drop", "ALL"),
                 *("--die-with-parent", "--new-session"),
-                *_system(),
+                *_system(COMPILER_SETTINGS if writable else RUN_SETTINGS),
                 *("--proc", "/proc", "--dev", "/dev"),
                 *sized,
                 *("--remount-ro", "/dev"),
@@ -90,15 +91,15 @@ def _seccomp() -> str:
 
 
 @cache
-def _system() -> tuple[str, ...]:
-    """Return the arguments that show the system read-only, its symbolic links as such."""
+def _system(settings: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the arguments that show the system and these files of /etc, read-only."""
     args: list[str] = []
     for path in map(Path, SYSTEM):
         if path.is_symlink():
             args += ["--symlink", str(path.readlink()), str(path)]
         elif path.is_dir():
             args += ["--ro-bind", str(path), str(path)]
-    for pattern in SETTINGS:
+    for pattern in settings:
         for path in sorted(Path("/etc").glob(pattern)):
             args += ["--ro-bind", str(path), str(path)]
     return tuple(args)

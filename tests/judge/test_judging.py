@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import shutil
 import sys
 from collections.abc import Callable
@@ -10,10 +11,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from rich.console import Console
 
 from judge.cases import Case
 from judge.facts import RunLimits
 from judge.judging import Events, Options, judge
+from judge.report import print_report
 from judge.results import CaseResult, Judging
 from judge.runs import run_case
 from judge.sandbox import Command, Sandbox
@@ -126,14 +129,15 @@ def test_the_limit_is_scaled_and_never_below_the_declared(source: Source, data: 
 class Overloaded(Executor):
     """Every run it makes uses more CPU time than it would alone."""
 
-    def __init__(self) -> None:
+    def __init__(self, cpu_s: float = 9.0) -> None:
         self.runs = 0
+        self.cpu_s = cpu_s
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         self.runs += 1
         future: Future[Any] = Future()
         result = fn(*args, **kwargs)
-        slow = CaseResult(result.case, Verdict.TLE, 9.0, 9.0, 1.0, "slow")
+        slow = CaseResult(result.case, Verdict.TLE, self.cpu_s, 9.0, 1.0, "slow")
         future.set_result(slow)
         return future
 
@@ -150,6 +154,17 @@ def test_a_tle_alone_is_final(source: Source, data: Path) -> None:
     outcome = judged(source("echo.py", ECHO), data, jobs=1, executor=Overloaded())
     assert outcome.verdict is Verdict.TLE
     assert {r.retried for r in outcome.cases} == {False}
+
+
+def test_over_the_limit_by_little_runs_again(source: Source, data: Path) -> None:
+    limits = RunLimits(time_limit_s=5.0, memory_mib=100, output_mib=1)
+    executor = Overloaded(cpu_s=limits.kill_cpu_s)
+    outcome = judged(source("echo.py", ECHO), data, jobs=1, executor=executor)
+    assert outcome.verdict is Verdict.AC
+    assert len(outcome.changed) == len(outcome.cases)
+    screen = io.StringIO()
+    print_report(Console(file=screen, width=200), outcome)
+    assert "4 verdicts changed between two runs" in screen.getvalue()
 
 
 class Broken(Executor):
