@@ -7,7 +7,7 @@ SEED ?= 1
 RUN := .venv/bin/python
 
 .DEFAULT_GOAL := help
-.PHONY: help setup data judge test case figures stress check lint format types clean
+.PHONY: help setup data judge test case figures stress strength mutants worlds calibrate check lint format types clean
 
 help: ## list these commands
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | column -t -s '|' 2>/dev/null \
@@ -27,7 +27,7 @@ judge: data ## judge a program on all test cases: make judge [SUBMISSION=my.cpp]
 test: data ## run the tests
 	@$(RUN) -m pytest -n auto
 
-case: setup ## add a test case: make case FAMILY=near_miss [SEED=7] [GROUP=small] [ARGS="--set n=9"]
+case: setup ## add a test case: make case FAMILY=contacts [SEED=7] [GROUP=small] [ARGS="--set n=9"]
 	@$(RUN) -m gen case $(FAMILY) --seed $(SEED) --group $(GROUP) $(ARGS)
 
 figures: setup ## draw the figures of the statement again
@@ -35,6 +35,18 @@ figures: setup ## draw the figures of the statement again
 
 stress: setup ## solvers against each other: 10^6 random scenarios and a complete small world
 	@$(RUN) -m stress all
+
+worlds: setup ## every scenario of complete worlds, answered by programs in C++ and Python
+	@$(RUN) -m stress complete
+
+strength: data ## who is killed where: submissions x groups, build/strength.html
+	@$(RUN) -m strength --html build/strength.html --json build/strength.json
+
+mutants: data ## small changes of the right programs: does the data notice each?
+	@$(RUN) -m strength mutants
+
+calibrate: data ## measure the margins of the time limit
+	@$(RUN) -m judge.calibrate
 
 check: setup ## validate every file of the data, and its sums
 	@$(RUN) -m gen check
