@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import secrets
 import select
 import shutil
 import subprocess
@@ -27,6 +28,7 @@ ANSWER_MARGIN_S = 30.0  # what a keeper may need beyond the wall limit before it
 FILE_MIB = 256  # the largest file a run may write into its scratch directory
 
 
+LOST = "the keeper of the run was lost"
 KILLED = 128 + SIGKILL  # as a wall, or a shell, passes it on
 
 
@@ -53,16 +55,17 @@ class Sandbox:
     """A pool of keepers and a scratch directory, both gone when it is closed.
 
     Any number of threads may call `run` at once; each run has a keeper to itself.
-    The keepers remove the scratch directory when this process dies, however it does.
+    The keepers make the scratch directory, and remove it when this process dies, however
+    it does. Raises SandboxError if there is no place for it.
     """
 
     def __init__(self, wall: Wall | None = None) -> None:
         self.wall = wall
-        self.scratch = Path(tempfile.mkdtemp(prefix="collision-course-")).resolve()
-        if os.getuid() == 0:  # the unprivileged user may walk through, but see no names
-            self.scratch.chmod(0o711)
-        self._idle: list[_Keeper] = []
-        self._all: list[_Keeper] = []
+        name = f"collision-course-{secrets.token_hex(8)}"
+        self.scratch = Path(tempfile.gettempdir()).resolve() / name
+        first = _Keeper(self.scratch)
+        self._idle = [first]
+        self._all = [first]
         self._lock = threading.Lock()
         self._closed = False
 
@@ -194,7 +197,7 @@ class Sandbox:
 
 
 class _Keeper:
-    """One keeper process, and the two pipes to it."""
+    """One keeper process, and the two pipes to it. Raises SandboxError."""
 
     def __init__(self, scratch: Path) -> None:
         self._process = subprocess.Popen(
@@ -205,24 +208,38 @@ class _Keeper:
             cwd="/",
             start_new_session=True,  # Ctrl-C is the judge's to handle
         )
+        try:
+            why = self._reply(ANSWER_MARGIN_S)["error"]
+            if why is not None:
+                raise SandboxError(f"{scratch.parent}: no scratch space: {why}")
+        except BaseException:
+            self.end()
+            raise
 
     def alive(self) -> bool:
         return self._process.poll() is None
 
     def ask(self, request: dict[str, Any], timeout_s: float) -> dict[str, Any]:
         """Send one request and wait for its reply. Raises SandboxError."""
-        stdin, stdout = self._process.stdin, self._process.stdout
+        stdin = self._process.stdin
         assert stdin is not None
-        assert stdout is not None
         try:
             stdin.write(json.dumps(request).encode() + b"\n")
             stdin.flush()
+        except (OSError, ValueError):  # ValueError: closed by hang_up in another thread
+            raise SandboxError(LOST) from None
+        return self._reply(timeout_s)
+
+    def _reply(self, timeout_s: float) -> dict[str, Any]:
+        stdout = self._process.stdout
+        assert stdout is not None
+        try:
             ready, _, _ = select.select([stdout], [], [], timeout_s)
             line = stdout.readline() if ready else b""
-        except (OSError, ValueError):  # ValueError: closed by hang_up in another thread
+        except (OSError, ValueError):
             line = b""
         if not line:
-            raise SandboxError("the keeper of the run was lost")
+            raise SandboxError(LOST)
         reply: dict[str, Any] = json.loads(line)
         return reply
 

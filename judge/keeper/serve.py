@@ -2,7 +2,8 @@
 
 One JSON object a line on standard input, one a line back on standard output; see
 `watch.run`. The end of standard input, also in the middle of a run, means that the
-judge is gone: everything is killed and the scratch directory is removed.
+judge is gone: everything is killed and the scratch directory is removed. The first
+line back is `{"error": null}`, or why the scratch directory cannot be made.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import os
 import signal
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 from judge.keeper.launch import LIBC, LaunchError
@@ -45,6 +47,18 @@ def answer(request: dict[str, Any]) -> None:
         raise failed  # what is left would be counted with the next program
 
 
+def make(scratch: str) -> str | None:
+    """Make the scratch directory, which another keeper may have made; return what went wrong."""
+    try:
+        # Behind a wall, root's programs are another user's: let that walk through, see no names.
+        Path(scratch).mkdir(mode=0o700 if os.getuid() else 0o711)
+    except FileExistsError:
+        return None
+    except OSError as error:
+        return error.strerror
+    return None
+
+
 def main() -> None:
     """Serve the judge until it is gone."""
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
@@ -54,11 +68,14 @@ def main() -> None:
     # not set this is held by RLIMIT_NPROC, which does not hold those who may.
     with contextlib.suppress(PermissionError):
         os.sched_setscheduler(0, os.SCHED_RR | os.SCHED_RESET_ON_FORK, os.sched_param(1))
+    scratch = sys.argv[2]
     try:
+        failed = make(scratch)
+        os.write(1, json.dumps({"error": failed}).encode() + b"\n")
         for request in requests():
             answer(request)
     except (JudgeGoneError, BrokenPipeError, TimeoutError):
         pass
     import shutil  # only here: it would make every program's peak memory larger
 
-    shutil.rmtree(sys.argv[2], ignore_errors=True)
+    shutil.rmtree(scratch, ignore_errors=True)

@@ -266,3 +266,9 @@ def test_a_killed_judge_leaves_nothing(tmp_path: Path) -> None:
         time.sleep(0.02)
     assert running(mark) == []
     assert list(scratch.iterdir()) == []
+
+
+def test_no_place_for_scratch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "none"))
+    with pytest.raises(SandboxError, match=r"none: no scratch space: No such file"):
+        Sandbox()
