@@ -198,7 +198,9 @@ def _line(time: Time) -> str:
 
 def _table(found: Margins, declared_s: float, problem: Problem) -> Table:
     asked = problem.limits.time_multipliers
-    table = Table("", "CPU s", "ratio", "asked", "submission", "case", show_edge=False)
+    table = Table(show_edge=False)
+    for heading in ("", "CPU s", "ratio", "asked", "submission", "case"):
+        table.add_column(heading, overflow="fold")
     slowest, fastest = found.slowest, found.fastest
     table.add_row(
         "slowest AC",

@@ -272,3 +272,25 @@ def test_no_place_for_scratch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "none"))
     with pytest.raises(SandboxError, match=r"none: no scratch space: No such file"):
         Sandbox()
+
+
+def test_waiting_for_a_processor_is_not_sleep(run_bare: RunPython) -> None:
+    """A seventh of one processor: longer than the wall limit for less than the time limit."""
+    processor = min(os.sched_getaffinity(0))
+    pinned = f"import os\nos.sched_setaffinity(0, {{{processor}}})\n"
+    busy = [
+        subprocess.Popen(
+            [sys.executable, "-c", pinned + "while True: pass"], start_new_session=True
+        )
+        for _ in range(6)
+    ]
+    try:
+        code = pinned + "import time\nwhile time.process_time() < 0.9: pass\n"
+        facts = run_bare(code, time_limit_s=1.0)
+    finally:
+        for process in busy:
+            process.kill()
+            process.wait()
+    limits = RunLimits(time_limit_s=1.0, memory_mib=1, output_mib=1)
+    assert facts.wall_s > limits.kill_wall_s, "it was not kept waiting: the test says nothing"
+    assert (facts.stopped, facts.exit_status) == (None, 0)
