@@ -179,6 +179,14 @@ PLANNED = (
     Case("large", "14-cuts", "cuts", {"vertices": 30_000, "reach": 400, "far": 400, "most": 40}),
     Case("large", "15-slivers", "slivers", {"vertices": 10_000}),
     Case("large", "16-diagonal", "diagonal", {"vertices": 10_000}),
+    # Small polygons, long moves: a uniform grid over a scene has all vertices in a few cells.
+    Case(
+        "large",
+        "17-far-and-small",
+        "hugging",
+        {"scenarios": 16, "m": 15_000, "n": 15_000, "obstacles": 1, "far": 190_000_000}
+        | {"deciding": "none"},
+    ),
     # many: one unit decides, wherever one looks
     Case("many", "00-mixture", "mixture", {"vertices": 30_000}, repeat=2),
     Case(
