@@ -2,7 +2,7 @@
 
 What a contest program never needs and what widens the attack: mounting, new
 namespaces, tracing others, kernel keys, BPF, io_uring, memory that no limit sees,
-sockets, and typing into the terminal. Refused calls fail with EPERM, clone3 with
+sockets, the kernel's log, and typing into the terminal. Refused calls fail with EPERM, clone3 with
 ENOSYS so that libraries fall back to clone, whose flags can be seen.
 Source: Linux, Documentation/userspace-api/seccomp_filter.rst; linux/filter.h.
 """
@@ -18,6 +18,9 @@ AUDIT_ARCH = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}
 REFUSED: dict[str, tuple[int, int]] = {
     "socket": (41, 198),
     "shmget": (29, 194),
+    "semget": (64, 190),
+    "msgget": (68, 186),
+    "syslog": (103, 116),
     "ptrace": (101, 117),
     "personality": (135, 92),
     "pivot_root": (155, 41),

@@ -8,10 +8,12 @@ import resource
 import signal
 from typing import Any, NamedTuple
 
+from judge.keeper.clock import Clock
 from judge.keeper.proc import threads_of_user
 from judge.keeper.wall import STARTED, walled
 
 PR_SET_PDEATHSIG = 1
+OPEN_FILES = 512
 LIBC = ctypes.CDLL(None, use_errno=True)
 
 
@@ -20,12 +22,13 @@ class LaunchError(Exception):
 
 
 class Launched(NamedTuple):
-    """A started program: its pid, our non-blocking ends of its pipes, and one more.
+    """A started program: its pid, its clock, our non-blocking ends of its pipes, and one more.
 
     started: reads as nothing if there was to be a wall and it did not stand.
     """
 
     pid: int
+    clock: Clock
     stdin: int
     stdout: int
     stderr: int
@@ -39,26 +42,31 @@ def launch(request: dict[str, Any]) -> Launched:
     take_err, stderr = os.pipe()
     started, starting = os.pipe()
     complaint, complain = os.pipe()
+    gate, opened = os.pipe()
     pid = os.fork()
     if pid == 0:
         try:
+            os.close(opened)
+            os.read(gate, 1)  # until its clock runs: nothing that it starts may be missed
             become(request, (stdin, stdout, stderr), starting)
         except BaseException as error:
             os.write(complain, str(error).encode())
         finally:
             os._exit(127)
-    for fd in (stdin, stdout, stderr, starting, complain):
+    clock = Clock(pid)
+    for fd in (stdin, stdout, stderr, starting, complain, gate, opened):
         os.close(fd)
     problem = os.read(complaint, 4096)  # ends at once when the program is executed
     os.close(complaint)
     if problem:
         os.waitpid(pid, 0)
+        clock.close()
         for fd in (feed, take_out, take_err, started):
             os.close(fd)
         raise LaunchError(f"{request['argv'][0]}: {problem.decode()}")
     for fd in (feed, take_out, take_err, started):
         os.set_blocking(fd, False)
-    return Launched(pid, feed, take_out, take_err, started)
+    return Launched(pid, clock, feed, take_out, take_err, started)
 
 
 def become(request: dict[str, Any], standard: tuple[int, int, int], starting: int) -> None:
@@ -74,6 +82,7 @@ def become(request: dict[str, Any], standard: tuple[int, int, int], starting: in
         (resource.RLIMIT_CORE, 0),
         (resource.RLIMIT_CPU, int(request["kill_cpu_s"]) + 2),  # should the keeper be stopped
         (resource.RLIMIT_STACK, request["memory_mib"] << 20),  # deep recursion is no crime
+        (resource.RLIMIT_NOFILE, OPEN_FILES),  # a descriptor holds memory that nobody counts
         (resource.RLIMIT_FSIZE, request["file_mib"] << 20),
         (resource.RLIMIT_NPROC, processes),
     ):

@@ -39,12 +39,15 @@ def threads_of_user() -> int:
     return count
 
 
-def proportional_mib(pid: int) -> float:
-    """Return the memory of a process with every shared page divided among its users."""
+def proportional_mib(pid: int, otherwise_mib: float) -> float:
+    """Return the memory of a process with every shared page divided among its users.
+
+    A process may keep others from looking: then it is `otherwise_mib`.
+    """
     for line in read(f"/proc/{pid}/smaps_rollup").splitlines():
         if line.startswith("Pss:"):
             return int(line.split()[1]) / 1024
-    return 0.0
+    return otherwise_mib
 
 
 def held_mib(pid: int, scratch: Mapping[str, int]) -> float:

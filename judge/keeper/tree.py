@@ -9,6 +9,7 @@ import signal
 import time
 from collections.abc import Mapping
 
+from judge.keeper.clock import Clock
 from judge.keeper.proc import children, descendants, held_mib, proportional_mib, read
 
 REAP_TIMEOUT_S = 10.0
@@ -20,10 +21,10 @@ PAGE_MIB = os.sysconf("SC_PAGE_SIZE") / 2**20
 class Tree:
     """All processes below the keeper, which are those of the one program it runs.
 
-    cpu_s: the larger of two counts, neither of which sees everything. Accounting
-    (reaped processes, and what live ones and their reaped children used) misses
-    children reaped automatically; adding up every process at its last sample
-    misses what happened after that.
+    cpu_s: the largest of three counts. Accounting (reaped processes, and what live
+    ones and their reaped children used) misses children reaped automatically; adding up
+    every process at its last sample misses what happened after that; the clock misses
+    nothing, where there is one.
 
     scratch: the sizes in bytes of the wall's memory file systems by their places; what
     they hold is memory of the program's, and no process shows it.
@@ -31,6 +32,7 @@ class Tree:
 
     def __init__(self, scratch: Mapping[str, int]) -> None:
         self._scratch = scratch
+        self.clock: Clock | None = None
         self.cpu_s = 0.0
         self.memory_mib = 0.0
         self.processes = 0
@@ -42,7 +44,7 @@ class Tree:
     def sample(self, memory_limit_mib: float) -> None:
         """Look at every live process once."""
         live = descendants()
-        accounted_s, memory_mib = self._reaped_s, 0.0
+        accounted_s, resident_mib = self._reaped_s, dict.fromkeys(live, 0.0)
         for pid in live:
             stat = read(f"/proc/{pid}/stat").rpartition(")")[2].split()
             if not stat:
@@ -50,15 +52,16 @@ class Tree:
             own, waited = int(stat[11]) + int(stat[12]), int(stat[13]) + int(stat[14])
             accounted_s += (own + waited) * TICK_S
             self._seen_s[pid, stat[19]] = own * TICK_S
-            memory_mib += int(stat[21]) * PAGE_MIB
+            resident_mib[pid] = int(stat[21]) * PAGE_MIB
+        memory_mib = sum(resident_mib.values())
         if memory_mib > memory_limit_mib and len(live) > 1:
             # Pages shared after a fork count once; too slow to ask every time.
-            memory_mib = sum(map(proportional_mib, live))
+            memory_mib = sum(proportional_mib(pid, resident_mib[pid]) for pid in live)
         if live and self._scratch:
             memory_mib += held_mib(live[-1], self._scratch)
         self.processes = len(live)
         self.memory_mib = max(self.memory_mib, memory_mib)
-        self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()))
+        self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()), self._clock_s())
 
     def starved_s(self) -> float:
         """Return how long a live process was ready to run while others had the processors."""
@@ -81,7 +84,10 @@ class Tree:
                 signal_all(children(os.getpid()), signal.SIGKILL)
             if waited_s > REAP_TIMEOUT_S:
                 raise TimeoutError("processes of the program cannot be killed")
-        self.cpu_s = max(self.cpu_s, self._reaped_s)
+        self.cpu_s = max(self.cpu_s, self._reaped_s, self._clock_s())
+
+    def _clock_s(self) -> float:
+        return 0.0 if self.clock is None else self.clock.cpu_s()
 
     def _reap(self) -> bool:
         """Reap what has ended; return whether anything still lives."""

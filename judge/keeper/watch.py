@@ -36,13 +36,14 @@ def run(request: dict[str, Any]) -> dict[str, Any]:
     with source_path.open("rb") as source, out_path.open("wb") as out:
         started = time.monotonic()
         launched = launch(request)
-        pid = launched.pid
+        pid, tree.clock = launched.pid, launched.clock
         feeder = Feeder(source.fileno(), launched.stdin)
         sink = Sink(launched.stdout, launched.stderr, out.fileno(), request["output_bytes"])
         try:
             stopped = watch(pid, feeder, sink, tree, started, request)
         finally:
             tree.end()
+            launched.clock.close()
             feeder.close()
         wall_s = time.monotonic() - started
         sink.drain()

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from judge.facts import RunLimits, Stop
+from judge.keeper.clock import Clock
 from judge.sandbox import Command, Sandbox, SandboxError
 
 if TYPE_CHECKING:
@@ -115,6 +116,28 @@ def test_cpu_time_of_children_shorter_than_a_sample_stops_too(run_python: RunPyt
     facts = run_python(code, time_limit_s=0.3)
     assert facts.stopped is Stop.CPU
     assert facts.cpu_s > 0.3
+
+
+def test_no_child_is_too_short_for_the_clock(run_python: RunPython) -> None:
+    """Reaped automatically, and gone before a sample: only the inherited counter sees them."""
+    clock = Clock(os.getpid())
+    granted = clock.cpu_s() > 0
+    clock.close()
+    if not granted:
+        pytest.skip("this machine grants no performance counter")
+    code = (
+        "import os, signal, time\n"
+        "signal.signal(signal.SIGCHLD, signal.SIG_IGN)\n"
+        "for _ in range(100):\n"
+        "    r, w = os.pipe()\n"
+        "    if os.fork() == 0:\n"
+        "        while time.process_time() < 0.005: pass\n"
+        "        os._exit(0)\n"
+        "    os.close(w)\n"
+        "    os.read(r, 1)\n"
+        "    os.close(r)\n"
+    )
+    assert run_python(code).cpu_s > 0.5
 
 
 def test_busy_loop_is_stopped_a_little_above_the_limit(run_python: RunPython) -> None:

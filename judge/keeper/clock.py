@@ -1,0 +1,50 @@
+"""The CPU time of a process and of all that descends from it, as the scheduler counts it.
+
+Accounting misses children that are reaped automatically, and sampling misses short ones;
+a performance counter that is inherited misses nothing. Not every machine grants one: where
+the kernel or a container refuses it, the other two counts must do.
+Source: perf_event_open(2).
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import platform
+import struct
+
+SYSTEM_CALL = {"x86_64": 298, "aarch64": 241}
+ATTRIBUTES_BYTES = 112
+TYPE_SOFTWARE, TASK_CLOCK_NS = 1, 1
+INHERIT, EXCLUDE_KERNEL, EXCLUDE_HYPERVISOR = 1 << 1, 1 << 5, 1 << 6  # a clock counts all three
+FLAGS_OFFSET = 40
+CLOSE_ON_EXEC = 8
+LIBC = ctypes.CDLL(None, use_errno=True)
+
+
+class Clock:
+    """Counts from the moment it is made; whoever `pid` starts later is counted with it."""
+
+    def __init__(self, pid: int) -> None:
+        attributes = bytearray(ATTRIBUTES_BYTES)
+        struct.pack_into("<IIQ", attributes, 0, TYPE_SOFTWARE, ATTRIBUTES_BYTES, TASK_CLOCK_NS)
+        flags = INHERIT | EXCLUDE_KERNEL | EXCLUDE_HYPERVISOR
+        struct.pack_into("<Q", attributes, FLAGS_OFFSET, flags)
+        number = SYSTEM_CALL.get(platform.machine())
+        self._fd = -1
+        if number is not None:
+            told = bytes(attributes)
+            self._fd = LIBC.syscall(number, told, pid, -1, -1, CLOSE_ON_EXEC)
+
+    def cpu_s(self) -> float:
+        """Return the seconds counted so far, 0 if no counter was granted."""
+        if self._fd < 0:
+            return 0.0
+        (counted_ns,) = struct.unpack("<q", os.read(self._fd, 8))
+        return float(counted_ns / 1e9)
+
+    def close(self) -> None:
+        """Give the counter back; more than once does no harm."""
+        if self._fd >= 0:
+            os.close(self._fd)
+            self._fd = -1
