@@ -1,0 +1,16 @@
+/* Fills memory in many processes that keep others from looking at them. Expect: MLE */
+#include <stdlib.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+int main(void) {
+    prctl(PR_SET_DUMPABLE, 0);
+    for (int i = 0; i < 40; i++)
+        if (fork() == 0) {
+            volatile char *filler = malloc(50 << 20);
+            for (int at = 0; at < 50 << 20; at += 4096) filler[at] = 1;
+            sleep(5);
+            return 0;
+        }
+    sleep(5);
+}

@@ -1,0 +1,10 @@
+"""Opens pipes until it may not, then answers right. Expect: AC"""
+
+import os
+import sys
+
+try:
+    while True:
+        os.pipe()
+except OSError:
+    sys.stdout.write(sys.stdin.read())
