@@ -22,7 +22,7 @@ import sys
 from bisect import bisect_left
 
 TRIED_ONE_BY_ONE = 8  # for so few vertices a search costs more than trying them all
-NARROW = 64  # the first chord looks out by about 1 / 64 to either side
+NARROW = 32  # the first chord cuts off about so many robot edges to either side of a guess
 BITS = 68  # an edge (|x| + |y| < 2**30) and any direction below 2**37 differ by over 2**-67
 
 
@@ -36,6 +36,7 @@ def main() -> None:
         px, py = numbers[at : at + 2 * m : 2], numbers[at + 1 : at + 2 * m : 2]
         at += 2 * m
         farthest_in_robot = farthest_search(px, py)
+        edges_near = edges_at_height(px, py)
         middle = (px[0] + px[m // 2] + dx) // 2, (py[0] + py[m // 2] + dy) // 2
         free = True
         for _ in range(k):
@@ -43,7 +44,10 @@ def main() -> None:
             end = at + 1 + 2 * n
             if free:  # after a collision the other obstacles are only skipped
                 qx, qy = numbers[at + 1 : end : 2], numbers[at + 2 : end : 2]
-                guess = middle[0] - qx[0], middle[1] - qy[0] or 1
+                gx, gy = middle[0] - qx[0], middle[1] - qy[0] or 1
+                # Ahead of the middle the sweep is the robot at its end.
+                height = qy[0] - dy if gx * dx + gy * dy < 0 else qy[0]
+                guess = edges_near(gx < 0, height)
                 free = not meet(farthest_search(qx, qy), farthest_in_robot, dx, dy, guess)
             at = end
         answers.append("YES" if free else "NO")
@@ -53,7 +57,7 @@ def main() -> None:
 def meet(farthest_in_obstacle, farthest_in_robot, dx, dy, guess):
     """Tell whether D = Q - S holds the origin, boundary included.
 
-    guess: about the direction from the middle of D to the origin. Only the time depends
+    guess: two directions, between which a line may separate them. Only the time depends
     on it.
     """
 
@@ -65,10 +69,9 @@ def meet(farthest_in_obstacle, farthest_in_robot, dx, dy, guess):
             return qx - px - dx, qy - py - dy
         return qx - px, qy - py
 
-    # The first chord: a narrow one where the origin is, as seen from the middle of D.
-    wx, wy = -guess[1], guess[0]
-    ax, ay = farthest(NARROW * wx + guess[0], NARROW * wy + guess[1])
-    bx, by = farthest(NARROW * wx - guess[0], NARROW * wy - guess[1])
+    # The first chord: a narrow one where the origin may be.
+    ax, ay = farthest(*guess[0])
+    bx, by = farthest(*guess[1])
     if ax * by >= ay * bx:
         # The origin is not out there; the chord from the right end of D to its left end, or back.
         ax, ay = farthest(0, 1)
@@ -96,14 +99,21 @@ def farthest_search(xs, ys):
     n = len(xs)
     if n <= TRIED_ONE_BY_ONE:
         corners = list(zip(xs, ys))
-        return lambda wx, wy: min(corners, key=lambda p: wx * p[1] - wy * p[0])
+
+        def farthest_of_few(wx, wy):
+            x, y = corners[0]
+            least = wx * y - wy * x
+            for cx, cy in corners:
+                side = wx * cy - wy * cx
+                if side < least:
+                    least, x, y = side, cx, cy
+            return x, y
+
+        return farthest_of_few
 
     # From the lowest, leftmost vertex on, the edges' angles grow from 0 to 360 degrees;
     # that vertex is farthest which the edges turn past the direction w at.
-    lowest = min(ys)
-    start = min((i for i, y in enumerate(ys) if y == lowest), key=xs.__getitem__)
-    xs = xs[start:] + xs[: start + 1]
-    ys = ys[start:] + ys[: start + 1]
+    xs, ys = from_lowest(xs, ys)
     keys = [angle_key(xs[i + 1] - xs[i], ys[i + 1] - ys[i]) for i in range(n)]
 
     def farthest(wx, wy):
@@ -111,6 +121,32 @@ def farthest_search(xs, ys):
         return xs[i], ys[i]
 
     return farthest
+
+
+def edges_at_height(xs, ys):
+    """Return a function of (right, y): the reverse directions of two robot edges.
+
+    They are a few edges before and after the one that is at the height y on the robot's
+    right or left side. Heights beyond the robot's are taken for its highest or lowest.
+    """
+    xs, ys = from_lowest(xs, ys)
+    n = len(xs) - 1
+    top = max(range(n), key=ys.__getitem__)
+    falling = [-y for y in ys]
+
+    def edges_near(right, y):
+        i = bisect_left(ys, y, 0, top) if right else bisect_left(falling, -y, top, n)
+        a, b = (i - NARROW) % n, (i + NARROW) % n
+        return (xs[a] - xs[a + 1], ys[a] - ys[a + 1]), (xs[b] - xs[b + 1], ys[b] - ys[b + 1])
+
+    return edges_near
+
+
+def from_lowest(xs, ys):
+    """Return the polygon from its lowest, then leftmost vertex on, that one at the end again."""
+    lowest = min(ys)
+    start = min((i for i, y in enumerate(ys) if y == lowest), key=xs.__getitem__)
+    return xs[start:] + xs[: start + 1], ys[start:] + ys[: start + 1]
 
 
 def angle_key(x, y):
