@@ -71,7 +71,8 @@ def launch(request: dict[str, Any]) -> Launched:
 
 def become(request: dict[str, Any], standard: tuple[int, int, int], starting: int) -> None:
     """In the child: turn into the program. Never returns; raises OSError."""
-    os.setsid()
+    if not request["wall"]:  # bwrap makes a session of its own, further in
+        os.setsid()
     for target, fd in enumerate(standard):
         os.dup2(fd, target)
     for number in (signal.SIGPIPE, signal.SIGXFSZ, signal.SIGINT, signal.SIGTERM):
