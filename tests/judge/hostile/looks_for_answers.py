@@ -2,7 +2,7 @@
 
 import os
 
-places = ["/program", "/tmp", "/home", "/root", "/work", "/mnt", "/media", "/srv", "/opt", "/var"]
+places = [f"/{name}" for name in os.listdir("/") if name not in ("usr", "proc", "bin", "lib")]
 places += [f"/proc/{pid}/{link}" for pid in (1, "self") for link in ("cwd", "root/data", "fd")]
 for place in places:
     for folder, _, names in os.walk(place):
