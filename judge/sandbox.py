@@ -6,7 +6,6 @@ import json
 import os
 import secrets
 import select
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -20,6 +19,7 @@ from typing import Any, Self
 
 from judge.facts import Facts, RunLimits, Stop
 from judge.keeper import BOOT
+from judge.keeper.remove import remove
 from judge.keeper.wall import NOBODY
 from judge.wall import PROGRAM, SCRATCH, Wall
 
@@ -141,7 +141,7 @@ class Sandbox:
             self._give_back(keeper)
         finally:
             if own is not None:
-                shutil.rmtree(own, ignore_errors=True)
+                remove(own)
         if "error" in reply:
             raise SandboxError(reply["error"])
         reply["stopped"] = None if reply["stopped"] is None else Stop(reply["stopped"])
@@ -178,7 +178,7 @@ class Sandbox:
             keeper.hang_up()
         for keeper in keepers:
             keeper.end()
-        shutil.rmtree(self.scratch, ignore_errors=True)
+        remove(self.scratch)
 
     def _take(self) -> _Keeper:
         with self._lock:

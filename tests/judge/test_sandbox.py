@@ -243,6 +243,20 @@ def test_each_run_starts_in_an_empty_directory_of_its_own(
         assert (tmp_path / "out").read_text() == "[]\n"
 
 
+def test_whatever_a_program_leaves_is_removed(run_bare: RunPython, sandbox: Sandbox) -> None:
+    code = (
+        "import os\n"
+        "os.makedirs('closed/inner')\n"
+        "os.chmod('closed/inner', 0)\n"
+        "os.chmod('closed', 0)\n"
+        "for _ in range(1500):\n"
+        "    os.mkdir('deeper')\n"
+        "    os.chdir('deeper')\n"
+    )
+    assert run_bare(code).exit_status == 0
+    assert list(sandbox.scratch.glob("run-*")) == []
+
+
 def test_a_program_that_does_not_exist(sandbox: Sandbox, tmp_path: Path) -> None:
     with pytest.raises(SandboxError, match=r"/no/such: .*No such file"):
         sandbox.run(Command(("/no/such",)), LIMITS, stdin=None, stdout=tmp_path / "out")
