@@ -18,6 +18,9 @@ ENVIRONMENT = ROOT / ".venv"
 def main() -> int:
     """Return the exit status: 0 accepted, 1 not, 2 usage or judge error, 130 interrupted."""
     python = ENVIRONMENT / "bin" / "python"
+    if os.path.lexists(python) and not os.access(python, os.X_OK):
+        print(f"checker.py: {python} cannot be executed by this user", file=sys.stderr)
+        return 2
     if Path(sys.prefix).resolve() != ENVIRONMENT.resolve() and os.access(python, os.X_OK):
         os.execv(python, [str(python), str(ROOT / "checker.py"), *sys.argv[1:]])
     try:

@@ -8,6 +8,7 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 
 from judge.spec import ROOT, Problem, did_you_mean
+from judge.text import printable_name
 
 DATA = ROOT / "data"
 REBUILD = "run 'make data'"
@@ -48,14 +49,17 @@ def find_cases(directory: Path, problem: Problem) -> list[Case]:
     if not directory.is_dir():
         what = "not a directory" if directory.exists() else "no such directory"
         raise CasesError(f"{directory}: {what}")
+    directory = directory.absolute()
     cases = []
     for input_path in sorted(directory.rglob("*.in")):
-        name = input_path.relative_to(directory).with_suffix("").as_posix()
+        name = printable_name(input_path.relative_to(directory).with_suffix("").as_posix())
         if name.startswith("invalid_input/"):
             continue
         answer = input_path.with_suffix(".ans")
         if not answer.is_file():
             raise CasesError(f"{answer}: the answer file of this test case is missing")
+        if _is_blank(answer):
+            raise CasesError(f"{answer}: expected answers, found an empty file")
         cases.append(Case(name, group_of(name), input_path, answer))
     for answer in sorted(directory.rglob("*.ans")):
         if not answer.with_suffix(".in").is_file():
@@ -67,6 +71,15 @@ def find_cases(directory: Path, problem: Problem) -> list[Case]:
         cases,
         key=lambda c: (order.index(c.group) if c.group in order else len(order), c.group, c.name),
     )
+
+
+def _is_blank(answer: Path) -> bool:
+    """Tell whether an answer file holds nothing, which a silent program would match."""
+    try:
+        with answer.open("rb") as file:
+            return not file.read(4096).strip()
+    except OSError as error:
+        raise CasesError(f"{answer}: cannot be read: {error.strerror}") from None
 
 
 def check_built(cases: Iterable[Case], groups: Iterable[str], directory: Path) -> None:

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import errno
+import io
 import os
 import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TextIO
 
 from rich.console import Console
 
@@ -20,7 +23,13 @@ from judge.report import Live, print_report
 from judge.sandbox import SandboxError
 from judge.schema import to_json
 from judge.spec import SpecError, load
-from judge.submission import Submission, SubmissionError, from_source, read_submission
+from judge.submission import (
+    Submission,
+    SubmissionError,
+    from_source,
+    read_source,
+    read_submission,
+)
 from judge.text import printable_name
 from judge.verdict import Verdict
 
@@ -45,7 +54,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Judge as the arguments say and return the exit status."""
     parser = _parser()
     asked = parser.parse_args(arguments)
-    if asked.submission is None and sys.stdin.isatty():
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # whatever a file is called, it can be said
+            stream.reconfigure(errors="backslashreplace")
+    if asked.submission is None and (sys.stdin is None or sys.stdin.isatty()):
         parser.print_help()
         return EXIT_ERROR
     signal.signal(signal.SIGTERM, _interrupt)
@@ -53,14 +65,35 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         return _judge(asked)
     except USAGE_ERRORS as error:
-        print(f"checker.py: {printable_name(str(error))}", file=sys.stderr)
+        _complain(printable_name(str(error)))
         return EXIT_ERROR
     except KeyboardInterrupt:
-        print("checker.py: interrupted, nothing is left running", file=sys.stderr)
+        _complain("interrupted, nothing is left running")
         return EXIT_INTERRUPTED
-    except BrokenPipeError:  # of our own output: the reader went away
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except OSError as error:  # of our own output: its reader went away, or its disk is full
+        _give_up(sys.stdout)
+        _complain(f"the report cannot be written: {error.strerror}")
         return EXIT_ERROR
+
+
+class _Console(Console):
+    """A console whose lost reader is an error like others, not the end of the process."""
+
+    def on_broken_pipe(self) -> None:
+        raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))
+
+
+def _complain(message: str) -> None:
+    """Say one line on standard error, if anybody can be told."""
+    try:
+        print(f"checker.py: {message}", file=sys.stderr, flush=True)
+    except OSError:
+        _give_up(sys.stderr)
+
+
+def _give_up(stream: TextIO) -> None:
+    """Point a stream that cannot be written to nowhere, so that its flush at the end succeeds."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def _judge(asked: argparse.Namespace) -> int:
@@ -74,11 +107,17 @@ def _judge(asked: argparse.Namespace) -> int:
         )
         if path is not None
     ]
+    taken = {Path(asked.submission or "-").absolute(): "the submission"}
     for option, path, _ in reports:
         if not path.absolute().parent.is_dir():
             raise JudgeError(f"{option} {path}: no such directory")
+        if path.is_dir():
+            raise JudgeError(f"{option} {path}: expected a file, found a directory")
+        if other := taken.get(path.absolute()):
+            raise JudgeError(f"{option} {path}: expected a file of its own, found {other}")
+        taken[path.absolute()] = f"the file of {option}"
     options = Options(
-        data=DATA if asked.data is None else asked.data,
+        data=DATA if asked.data is None else asked.data.resolve(),
         groups=tuple(asked.group),
         globs=tuple(asked.case),
         jobs=asked.jobs,
@@ -86,7 +125,7 @@ def _judge(asked: argparse.Namespace) -> int:
         stop_on_first=asked.stop_on_first,
         no_wall=asked.no_wall,
     )
-    console = Console(highlight=False)
+    console = _Console(highlight=False)
     with Live(console) as live:
         judging = judge(submission, problem, options, events=live.events)
     print_report(console, judging)
@@ -104,7 +143,7 @@ def _submission(asked: argparse.Namespace) -> Submission:
     language = None if asked.language is None else by_name(asked.language)
     if asked.submission not in (None, "-"):
         return read_submission(Path(asked.submission), language)
-    return from_source(sys.stdin.buffer.read(), "standard input", language)
+    return from_source(read_source(sys.stdin.buffer), "standard input", language)
 
 
 def _interrupt(_signal: int, _frame: object) -> None:

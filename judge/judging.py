@@ -96,7 +96,7 @@ def judge(
             verdict=Verdict.AC,
             score=0,
             max_score=problem.max_score,
-            partial=len(cases) < len(all_cases),
+            partial=options.data != DATA or len(cases) < len(all_cases),
             time_limit_s=limit_s,
             declared_s=declared_s,
             memory_mib=limits.memory_mib,

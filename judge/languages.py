@@ -27,8 +27,9 @@ class Language:
 
     tools: the programs it needs, compiler first. compile, run: arguments where
     `{tool}` is the path of a needed program, `{source}` the source file's name and
-    `{main}` its stem; both run in the directory of the source; `{dir}` is that
-    directory, `{heap_mib}` what the memory limit leaves for a managed heap.
+    `{main}` what is run, its stem but for Java; both run in the directory of the
+    source; `{dir}` is that directory, `{heap_mib}` what the memory limit leaves for a
+    managed heap.
     hints: any of these in the text tells the language (see `guess`).
     """
 
@@ -38,7 +39,6 @@ class Language:
     compile: tuple[str, ...]
     run: tuple[str, ...]
     hints: re.Pattern[str]
-    default_stem: str = "submission"
 
 
 def _hints(pattern: str) -> re.Pattern[str]:
@@ -46,12 +46,26 @@ def _hints(pattern: str) -> re.Pattern[str]:
 
 
 _CPP_WORDS = (
-    r"#\s*include\s*<(?:bits/stdc\+\+\.h|iostream|vector|algorithm|string|map|set|array|c\w+)>"
+    r"#\s*include\s*<(?:bits/stdc\+\+\.h|\w+)>"  # C's headers end in .h
     r"|\busing\s+namespace\b|\bstd::|\btemplate\s*<"
 )
 
+_PYTHON_BLOCK = _hints(
+    r"^(?:import|from)\s+\w[\w.]*(?:\s+import\b.*|\s+as\s+\w+|\s*,.*)?$"
+    r"|^\s*(?:def|class|for|while|if|with|try)\b.*:\s*(?:#.*)?$"
+)
+_STATEMENT_END = _hints(r"[;{]\s*(?://.*)?$|^\s*package\s+main\b")
+
 # In the order in which they are tried on a text without a file name.
 LANGUAGES: tuple[Language, ...] = (
+    Language(
+        "Rust",
+        (".rs",),
+        ("rustc",),
+        ("{rustc}", "--edition=2021", "-O", "-o", "{dir}/{main}", "{dir}/{source}"),
+        ("{dir}/{main}",),
+        _hints(r"^\s*(?:pub\s+)?fn\s+main\s*\(\s*\)|^\s*use\s+std::"),
+    ),
     Language(
         "C++",
         (".cpp", ".cc", ".cxx", ".c++"),
@@ -84,15 +98,6 @@ LANGUAGES: tuple[Language, ...] = (
             "{main}",
         ),
         _hints(r"\bpublic\s+static\s+void\s+main\b|^\s*import\s+java\."),
-        "Main",
-    ),
-    Language(
-        "Rust",
-        (".rs",),
-        ("rustc",),
-        ("{rustc}", "--edition=2021", "-O", "-o", "{dir}/{main}", "{dir}/{source}"),
-        ("{dir}/{main}",),
-        _hints(r"^\s*(?:pub\s+)?fn\s+main\s*\(\s*\)|^\s*use\s+std::"),
     ),
     Language(
         "Go",
@@ -161,13 +166,16 @@ def by_suffix(path: Path) -> Language | None:
 def guess(text: str) -> Language | None:
     """Return the language that the text itself tells, None if nothing does.
 
-    A `#!` line decides first; then the languages in their order, as the hints of
-    the later ones also occur in texts of the earlier ones.
+    A `#!` line decides first; then whether it looks like Python, whose comments and
+    strings may hold anything; then the languages in their order, as the hints of the
+    later ones also occur in texts of the earlier ones.
     """
     first = text[: text.find("\n")] if text.startswith("#!") else ""
     if "pypy" in first:
         return by_name("PyPy 3")
     if "python" in first:
+        return by_name("Python 3")
+    if _PYTHON_BLOCK.search(text) and not _STATEMENT_END.search(text):
         return by_name("Python 3")
     for language in LANGUAGES:
         if language.hints.search(text):
@@ -186,20 +194,20 @@ class Toolchain:
 
     def compile_command(self, directory: Path, source: str) -> Command:
         """Return the command that compiles `source` in `directory`."""
-        return self._command(self.language.compile, directory, source, 0)
+        return self._command(self.language.compile, directory, source, Path(source).stem, 0)
 
-    def run_command(self, directory: Path, source: str, memory_mib: int) -> Command:
-        """Return the command that runs what was compiled, within `memory_mib`."""
-        return self._command(self.language.run, directory, source, memory_mib)
+    def run_command(self, directory: Path, source: str, main: str, memory_mib: int) -> Command:
+        """Return the command that runs `main` of what was compiled, within `memory_mib`."""
+        return self._command(self.language.run, directory, source, main, memory_mib)
 
     def _command(
-        self, template: tuple[str, ...], directory: Path, source: str, memory_mib: int
+        self, template: tuple[str, ...], directory: Path, source: str, main: str, memory_mib: int
     ) -> Command:
         words = {
             **{f"{{{tool}}}": path for tool, path in self.paths.items()},
             "{dir}": str(directory),
             "{source}": source,
-            "{main}": Path(source).stem,
+            "{main}": main,
             "{heap_mib}": str(memory_mib * 7 // 8),
         }
         argv = tuple(re.sub(r"\{[^}]+\}", lambda m: words[m[0]], part) for part in template)

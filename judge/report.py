@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
 from types import TracebackType
 from typing import Self
 
@@ -12,6 +14,7 @@ from rich.text import Text
 
 from judge.judging import Events
 from judge.results import CaseResult, Judging
+from judge.text import printable_name
 from judge.verdict import Verdict
 
 COLOURS = {
@@ -60,6 +63,8 @@ class Live:
 
     def _result(self, result: CaseResult) -> None:
         self._progress.advance(self._task)
+        if result.verdict is None:  # not run: the table's end is soon enough to see that
+            return
         self._progress.console.print(case_line(result), soft_wrap=True)
 
 
@@ -107,7 +112,7 @@ def print_report(console: Console, judging: Judging) -> None:
         f"  {judging.score} of {judging.max_score} points", style="bold"
     )
     if judging.partial:
-        last.append("  (partial: not all cases were selected)", style="yellow")
+        last.append("  (partial: not all of the kit's cases)", style="yellow")
     console.print(last.append(f"  {judging.submission} ({judging.language})"), soft_wrap=True)
 
 
@@ -139,8 +144,17 @@ def _group_table(judging: Judging) -> Table:
 def _print_failure(console: Console, failure: CaseResult) -> None:
     headline = Text.assemble("first failure: ", verdict_text(failure.verdict))
     console.print(headline.append(f" on {failure.case.name}: {failure.message}"), soft_wrap=True)
-    paths = Text(f"  input  {failure.case.input}\n  answer {failure.case.answer}")
-    console.print(paths, soft_wrap=True)  # a path broken in two cannot be copied
+    given, answer = shown(failure.case.input), shown(failure.case.answer)
+    lines = f"  input  {given}\n  answer {answer}"
+    if scenario := re.match(r"scenario (\d+):", failure.message):
+        lines += f"\n  see it .venv/bin/python -m pictures show {given} {scenario[1]} > scene.svg"
+    console.print(Text(lines), soft_wrap=True)  # a path broken in two cannot be copied
+
+
+def shown(path: Path) -> str:
+    """Return a path as one would type it here: relative if it lies below this directory."""
+    here = Path.cwd()
+    return printable_name(str(path.relative_to(here) if path.is_relative_to(here) else path))
 
 
 def _limits_line(judging: Judging) -> str:

@@ -54,7 +54,7 @@ class Judging:
 
     time_limit_s: the limit that held; declared_s: the one of problem.toml; scale:
     the former over the latter as this machine's speed asks, None if it was not measured.
-    partial: not every case of the data was selected, so the score is only a part.
+    partial: the cases are not all of the kit's, so the score says less.
     message: the compiler's, for CE. wall: the kind of wall that stood around every run, or None.
     """
 

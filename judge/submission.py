@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-import re
+import codecs
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import IO
 
 from judge.facts import RunLimits, Stop
+from judge.java import java_names
 from judge.languages import LANGUAGES, Language, by_suffix, guess, toolchain
 from judge.sandbox import Command, Sandbox
 from judge.spec import Limits
 from judge.text import printable_lines
 
 COMPILER_OUTPUT_MIB = 8
+LONGEST_SOURCE_BYTES = 1 << 24  # far beyond any limit on the source's length
 
 
 class SubmissionError(Exception):
@@ -40,12 +43,18 @@ class Program:
     command: Command
 
 
+def read_source(file: IO[bytes]) -> bytes:
+    """Return what a file holds, or so much of it that it is surely too long."""
+    return file.read(LONGEST_SOURCE_BYTES)
+
+
 def read_submission(path: Path, language: Language | None = None) -> Submission:
     """Read a file; its suffix tells the language, else its text. Raises SubmissionError."""
     if path.is_dir():
         raise SubmissionError(f"{path}: expected a source file, found a directory")
     try:
-        source = path.read_bytes()
+        with path.open("rb") as file:
+            source = read_source(file)
     except FileNotFoundError:
         raise SubmissionError(f"{path}: no such file") from None
     except OSError as error:
@@ -61,7 +70,11 @@ def read_submission(path: Path, language: Language | None = None) -> Submission:
 
 
 def from_source(source: bytes, name: str, language: Language | None = None) -> Submission:
-    """Check a source text and guess its language if none is given. Raises SubmissionError."""
+    """Check a source text and guess its language if none is given. Raises SubmissionError.
+
+    A byte order mark, which some editors write and some compilers refuse, is left out.
+    """
+    source = source.removeprefix(codecs.BOM_UTF8)
     if not source.strip():
         raise SubmissionError(f"{name}: expected a source text, found nothing in it")
     if b"\0" in source:
@@ -82,12 +95,12 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
     """Compile once, in the sandbox. Raises CompileError, LanguageError or SandboxError."""
     if len(submission.source) > limits.code_kib << 10:
         raise CompileError(
-            f"the source is {len(submission.source) / 1024:.0f} KiB long, "
+            f"the source is {len(submission.source) / 1024:.0f} KiB long or more, "
             f"limit {limits.code_kib} KiB"
         )
     tools = toolchain(submission.language)
     directory = sandbox.new_program_directory()
-    source_name = _file_name(submission)
+    source_name, main = _names(submission)
     (directory / source_name).write_bytes(submission.source)
     run_limits = RunLimits(
         time_limit_s=limits.compilation_time_s,
@@ -115,18 +128,14 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
     if facts.exit_status != 0:
         ended = f"signal {facts.signal}" if facts.signal else f"exit status {facts.exit_status}"
         raise CompileError(said or f"the compiler ended with {ended} and said nothing")
-    command = tools.run_command(inside, source_name, limits.memory_mib)
+    command = tools.run_command(inside, source_name, main, limits.memory_mib)
     return Program(submission, replace(command, directory=directory))
 
 
-def _file_name(submission: Submission) -> str:
-    """Return the source file's name; Java wants that of its public class."""
+def _names(submission: Submission) -> tuple[str, str]:
+    """Return the source file's name, and that of what is run."""
     language = submission.language
-    stem = language.default_stem
+    stem = main = "submission"
     if language.name == "Java":
-        text = submission.source.decode("utf-8", "replace")
-        before_main = text.partition("public static void main")[0]
-        classes = re.findall(r"^\s*public\s+(?:final\s+)?class\s+(\w+)", text, re.MULTILINE)
-        classes += re.findall(r"\bclass\s+(\w+)", before_main)[-1:]
-        stem = classes[0] if classes else stem
-    return stem + language.suffixes[0]
+        stem, main = java_names(submission.source.decode("utf-8", "replace"))
+    return stem + language.suffixes[0], main

@@ -46,7 +46,9 @@ def decide(facts: Facts, limits: RunLimits, mismatch: Mismatch | None) -> Judgem
             Verdict.MLE, f"{facts.memory_mib:.0f} MiB of memory, limit {limits.memory_mib} MiB"
         )
     if facts.stopped is Stop.OUTPUT or facts.output_bytes > limits.output_bytes:
-        return Judgement(Verdict.OLE, f"more than {limits.output_mib} MiB of output")
+        return Judgement(
+            Verdict.OLE, f"more than {limits.output_mib} MiB of output and standard error"
+        )
     if facts.stopped is Stop.CPU or facts.cpu_s > limits.time_limit_s:
         return Judgement(
             Verdict.TLE, f"{facts.cpu_s:.2f} s of CPU time, limit {limits.time_limit_s:.2f} s"
@@ -82,6 +84,7 @@ def _signal_name(number: int) -> str:
 
 
 def _with_stderr(what: str, stderr: bytes) -> str:
-    """Add the last line of the standard error that was kept: where most languages say why."""
+    """Add the line of the standard error that says why: in most languages the last one."""
     lines = printable_lines(stderr, lines=1000, width=120).splitlines()
+    lines += [line for line in lines if line.startswith("Exception in thread")][:1]  # Java
     return f"{what}: {lines[-1]}" if lines else what

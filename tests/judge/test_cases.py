@@ -21,7 +21,7 @@ def test_groups_in_the_declared_order_then_foreign_ones(data: Path) -> None:
         path = data / name
         path.parent.mkdir(exist_ok=True)
         path.with_suffix(".in").touch()
-        path.with_suffix(".ans").touch()
+        path.with_suffix(".ans").write_text("YES\n")
     cases = find_cases(data, PROBLEM)
     assert [(c.group, c.name) for c in cases] == [
         ("sample", "sample/01"),
