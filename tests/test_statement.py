@@ -44,6 +44,8 @@ def test_the_constraints_table():
         rf"\|x\|, \|y\| ≤ {of.max_coordinate:,}",
         f"{limits.time_limit_s:g} seconds",
         f"{limits.memory_mib} MiB",
+        f"{limits.output_mib} MiB",
+        f"{limits.code_kib} KiB",
     ]
 
 

@@ -121,7 +121,7 @@ def test_an_endless_source_is_read_in_part_only() -> None:
 @pytest.mark.parametrize(
     ("text", "names"),
     [
-        ("class Main { static class E {} public static void main(String[] a) {} }", ("Main", "Main")),
+        ("class Main { class E {} public static void main(String[] a) {} }", ("Main", "Main")),
         ("class A { } class B { public static void main(String... a) { } }", ("Main", "B")),
         ("// class Fake\npublic class X { static void main(String[] a) { } }", ("X", "X")),
         ('class T { String s = "class U {"; static void main(String[] a) { } }', ("Main", "T")),
