@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from gen.families import FAMILIES, FamilyError, find
-from gen.geometry import apart, sweep
+from gen.geometry import apart, cross, minus, sweep
 from gen.parse import parse
 from gen.plan import PLANNED, ROOT
 from gen.rng import Rng
@@ -114,6 +114,30 @@ def test_hugging_obstacles_have_the_size_asked_for_and_one_decides():
         assert [len(obstacle) for obstacle in scenario.obstacles] == [9] * 20
         covered = sweep(scenario.robot, scenario.move).vertices
         assert [apart(covered, o) for o in scenario.obstacles] == [True] * 19 + [False]
+
+
+def test_hugging_stands_still_when_the_move_is_not_far():
+    assert [scenario.move for scenario in made("hugging", far=0)] == [(0, 0)] * 2
+
+
+def test_slivers_are_long_and_as_narrow_as_the_grid_allows():
+    for scenario in made("slivers"):
+        directions = edges(scenario.robot) + [e for o in scenario.obstacles for e in edges(o)]
+        directions += [scenario.move] * (scenario.move != (0, 0))
+        long = [v for v in directions if max(map(abs, v)) >= LIMIT // 4]
+        assert any(abs(cross(a, b)) == 1 for a in long for b in long)
+
+
+def test_cuts_leave_no_vertex_of_an_obstacle_inside_the_sweep():
+    for scenario in made("cuts"):
+        covered = sweep(scenario.robot, scenario.move).vertices
+        for vertex in (v for obstacle in scenario.obstacles for v in obstacle):
+            ends = zip([covered[-1], *covered], covered, strict=False)
+            assert any(cross(minus(b, a), minus(vertex, a)) <= 0 for a, b in ends)
+
+
+def edges(polygon):
+    return [minus(b, a) for a, b in zip([polygon[-1], *polygon], polygon, strict=False)]
 
 
 def test_mixtures_fill_the_file_exactly():
