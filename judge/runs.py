@@ -100,6 +100,7 @@ class Runs:
 
     def _result(self, case: Case, future: Future[CaseResult]) -> CaseResult:
         """Wait for a result; a broken worker costs a second try, never the result."""
+        _await([future])
         try:
             return future.result()
         except Exception:
@@ -111,7 +112,17 @@ class Runs:
         return limits.time_limit_s < result.cpu_s <= limits.kill_cpu_s
 
     def _again_alone(self, first: CaseResult, others: list[Future[CaseResult]]) -> CaseResult:
-        wait(others)
+        _await(others)
         result = run_case(*self._task, first.case)
         changed = first.verdict if result.verdict is not first.verdict else None
         return replace(result, retried=True, first_verdict=changed)
+
+
+def _await(futures: list[Future[CaseResult]]) -> None:
+    """Wait for all, but a second at a time.
+
+    Python acts on a signal only between two of its steps: one that comes just before a
+    wait without an end would never be seen.
+    """
+    while wait(futures, timeout=1).not_done:
+        pass

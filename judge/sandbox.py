@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -234,7 +235,11 @@ class _Keeper:
         stdout = self._process.stdout
         assert stdout is not None
         try:
-            ready, _, _ = select.select([stdout], [], [], timeout_s)
+            ready: list[Any] = []
+            give_up = time.monotonic() + timeout_s
+            while not ready and (left_s := give_up - time.monotonic()) > 0:
+                # A second at a time, so that no signal that came just before is missed.
+                ready, _, _ = select.select([stdout], [], [], min(left_s, 1.0))
             line = stdout.readline() if ready else b""
         except (OSError, ValueError):
             line = b""

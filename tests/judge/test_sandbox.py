@@ -168,7 +168,8 @@ def test_sleepers_end_by_wall_time(sandbox: Sandbox, tmp_path: Path) -> None:
 
 
 def test_memory_of_one_process(run_python: RunPython) -> None:
-    facts = run_python("x = b'1' * (90 << 20)", memory_mib=200)
+    # Long enough to be looked at on a busy machine too.
+    facts = run_python("import time\nx = b'1' * (90 << 20)\ntime.sleep(0.4)", memory_mib=200)
     assert facts.stopped is None
     assert 90 < facts.memory_mib < 120
     over = run_python("x = b'1' * (250 << 20)\nwhile True: pass", memory_mib=200)
