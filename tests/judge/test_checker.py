@@ -200,7 +200,16 @@ def test_interrupted(source: Source, data: Path, tmp_path: Path, number: signal.
     endless = source("endless.py", "while True: pass\n")
     command = [sys.executable, str(ROOT / "checker.py"), str(endless), "--data", str(data)]
     with subprocess.Popen(
-        [*command, "--jobs", "2", "--time-limit", "60", "--json", str(tmp_path / "report.json")],
+        [
+            *command,
+            "--no-wall",
+            "--jobs",
+            "2",
+            "--time-limit",
+            "60",
+            "--json",
+            f"{tmp_path}/report.json",
+        ],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,

@@ -22,7 +22,7 @@ ECHO = "import sys\nsys.stdout.write(sys.stdin.read())\n"
 
 
 def run(*arguments: object, **options: object) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, ROOT / "checker.py", *arguments, "--time-limit", 3]
+    command = [sys.executable, ROOT / "checker.py", *arguments, "--time-limit", 3, "--no-wall"]
     settings: dict[str, object] = {"stderr": subprocess.PIPE, "text": True, "timeout": 60}
     return subprocess.run(list(map(str, command)), **{**settings, **options})
 
@@ -99,7 +99,7 @@ def test_a_full_disk_and_a_lost_reader_are_judge_errors(data: Path, source) -> N
 @pytest.mark.parametrize(("closed", "status"), [("<&-", 2), (">&-", 0)])
 def test_closed_streams(data: Path, source, closed: str, status: int) -> None:
     program = "" if closed == "<&-" else source("e.py", ECHO)
-    command = f"'{sys.executable}' '{ROOT}/checker.py' {program} --data '{data}' {closed}"
+    command = f"'{sys.executable}' '{ROOT}/checker.py' {program} --data '{data}' --no-wall {closed}"
     done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, timeout=60)
     assert done.returncode == status
     assert "Traceback" not in done.stderr
