@@ -13,6 +13,7 @@ from judge.keeper.proc import threads_of_user
 from judge.keeper.wall import STARTED, walled
 
 PR_SET_PDEATHSIG = 1
+SHARED_PROCESSES = 4096
 OPEN_FILES = 512
 LIBC = ctypes.CDLL(None, use_errno=True)
 
@@ -77,8 +78,9 @@ def become(request: dict[str, Any], standard: tuple[int, int, int], starting: in
         os.dup2(fd, target)
     for number in (signal.SIGPIPE, signal.SIGXFSZ, signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.SIG_DFL)  # Python ignores some, and exec would keep that
-    # Root is not held by this limit; the keeper's own priority must do there.
-    processes = 4 * request["processes"] + (threads_of_user() if os.getuid() else 0)
+    # Root is not held by this limit, but the user that a wall drops to is, and shares it
+    # with all other walls: what holds a walled program is set inside.
+    processes = 4 * request["processes"] + threads_of_user() if os.getuid() else SHARED_PROCESSES
     for what, value in (
         (resource.RLIMIT_CORE, 0),
         (resource.RLIMIT_CPU, int(request["kill_cpu_s"]) + 2),  # should the keeper be stopped
