@@ -13,13 +13,13 @@ from pathlib import Path
 from gen import manifest
 from gen.answers import AnswerError, DisagreementError, agreed
 from gen.families import FamilyError, find
-from gen.files import write_atomically
 from gen.manifest import Entry
 from gen.parse import parse
 from gen.plan import HAND_MADE, ROOT, Case
 from gen.scenario import Scenario, render
 from gen.seeds import derive
 from gen.validator import InputError, load_rules, validate
+from judge.files import write_whole
 
 DISAGREEMENTS = ROOT / "build" / "disagreements"
 
@@ -58,7 +58,7 @@ def build_case(data: Path, case: Case, expected: Entry | None) -> Entry:
         answers = agreed(content, scenarios)
     except DisagreementError as error:
         kept = DISAGREEMENTS / f"{case.path.replace('/', '-')}.in"
-        write_atomically(kept, content)
+        write_whole(kept, content, parents=True)
         raise BuildError(
             f"{case.path}: {error}; the input is kept in {kept.relative_to(ROOT)}"
         ) from None
@@ -88,8 +88,8 @@ def build_case(data: Path, case: Case, expected: Entry | None) -> Entry:
             "if that is meant, build with --update-manifest"
         )
     if case.family != HAND_MADE:
-        write_atomically(data / f"{case.path}.in", content)
-    write_atomically(data / f"{case.path}.ans", answers)
+        write_whole(data / f"{case.path}.in", content, parents=True)
+    write_whole(data / f"{case.path}.ans", answers, parents=True)
     return entry
 
 

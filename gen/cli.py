@@ -18,10 +18,10 @@ from gen import manifest
 from gen.build import BuildError, build_cases, is_current, render_family
 from gen.check import check_data, check_file
 from gen.families import FAMILIES, FamilyError, Parameters, find
-from gen.files import write_atomically
 from gen.manifest import Entry, ManifestError
 from gen.plan import DATA, USER_CASES, Case, PlanError, all_cases, user_case_entry
 from gen.validator import UsageError, load_rules
+from judge.files import write_whole
 
 OK, NOT_OK, USAGE = 0, 1, 2
 _NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,60}")
@@ -224,7 +224,7 @@ def _case(options: argparse.Namespace) -> int:
     entries |= build_cases(data, [case], {}, update=True, jobs=1, done=lambda _: None)
     added = data / USER_CASES
     listed = added.read_text(encoding="utf-8") if added.exists() else _USER_CASES_HEAD
-    write_atomically(added, (listed + user_case_entry(case)).encode())
+    write_whole(added, (listed + user_case_entry(case)).encode(), parents=True)
     manifest.save(data, entries)
     print(f"{case.path}: {entries[case.path].yes} YES, {entries[case.path].no} NO")
     return OK

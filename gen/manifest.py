@@ -8,7 +8,7 @@ from pathlib import Path
 
 import msgspec
 
-from gen.files import write_atomically
+from judge.files import write_whole
 
 FILE = "manifest.json"
 
@@ -72,7 +72,7 @@ def load(data: Path) -> Manifest:
 def save(data: Path, cases: Mapping[str, Entry]) -> None:
     """Write the manifest; nothing half-written is ever seen."""
     text = msgspec.json.format(msgspec.json.encode(Manifest(1, dict(cases))), indent=1)
-    write_atomically(data / FILE, text + b"\n")
+    write_whole(data / FILE, text + b"\n", parents=True)
 
 
 def faults(data: Path, path: str, entry: Entry) -> list[str]:

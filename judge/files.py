@@ -7,22 +7,34 @@ import tempfile
 from pathlib import Path
 
 
-def write_whole(path: Path, data: bytes) -> None:
-    """Write `data` beside `path` and rename it there: never half a file. Raises OSError.
+def write_whole(path: Path, data: bytes, *, parents: bool = False) -> None:
+    """Write `data` beside `path` and rename it there: never half a file.
 
     What is no regular file, such as a pipe or a device, is written to as it is; of a
     symbolic link, the target is replaced.
+    parents: make missing directories.
+    Raises OSError, with `path` as its file name.
     """
-    path = path.resolve()
-    if path.exists() and not path.is_file():
-        path.write_bytes(data)
-        return
-    handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}-")
+    target = path.resolve()
+    try:
+        if target.exists() and not target.is_file():
+            target.write_bytes(data)
+            return
+        if parents:
+            target.parent.mkdir(parents=True, exist_ok=True)
+        _replace(target, data)
+    except OSError as error:  # not the name of a file that the user has never heard of
+        raise OSError(error.errno, error.strerror, str(path)) from None
+
+
+def _replace(target: Path, data: bytes) -> None:
+    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}-")
+    beside = Path(name)
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(data)
-        Path(beside).chmod(0o644)
-        Path(beside).replace(path)
+        beside.chmod(0o644)
+        beside.replace(target)
     except BaseException:
-        Path(beside).unlink(missing_ok=True)
+        beside.unlink(missing_ok=True)
         raise

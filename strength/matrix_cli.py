@@ -12,11 +12,11 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from gen.files import write_atomically
 from gen.manifest import ManifestError
 from gen.manifest import load as load_generated
 from judge.cases import DATA, CasesError, check_built, find_cases, select
 from judge.facts import RunLimits
+from judge.files import write_whole
 from judge.judging import JudgeError, machine_scale
 from judge.languages import LanguageError
 from judge.manifest import check_complete, check_sums, load_manifest
@@ -70,9 +70,9 @@ def main(arguments: Sequence[str]) -> int:
     _print(matrix, analysis, time.perf_counter() - start, cases=options.cases)
     try:
         if options.json:
-            write_atomically(options.json, as_json(matrix, analysis))
+            write_whole(options.json, as_json(matrix, analysis), parents=True)
         if options.html:
-            write_atomically(options.html, page(matrix, analysis, families).encode())
+            write_whole(options.html, page(matrix, analysis, families).encode(), parents=True)
     except OSError as error:
         print(f"strength: {error.filename}: cannot be written: {error.strerror}", file=sys.stderr)
         return 2

@@ -17,8 +17,8 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 from rich.table import Table
 from rich.text import Text
 
-from gen.files import write_atomically
 from judge.cases import DATA, CasesError, check_built, find_cases, group_of
+from judge.files import write_whole
 from judge.manifest import check_sums, load_manifest
 from judge.spec import SpecError, load
 from strength import equivalents
@@ -62,7 +62,7 @@ def main(arguments: Sequence[str]) -> int:
     _report(campaign, time.perf_counter() - start)
     if options.json:
         try:
-            write_atomically(options.json, _json(campaign))
+            write_whole(options.json, _json(campaign), parents=True)
         except OSError as error:
             print(f"strength: {options.json}: {error.strerror}", file=sys.stderr)
             return 2

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import msgspec
 
-from gen.files import write_atomically
 from judge.cases import Case
 from judge.facts import RunLimits
+from judge.files import write_whole
 from judge.runs import run_case
 from judge.sandbox import Command, Sandbox
 from judge.spec import ROOT, Problem
@@ -62,7 +62,7 @@ class _Kept:
         self._verdicts[key] = verdict
 
     def save(self) -> None:
-        write_atomically(self._path, msgspec.json.encode(self._verdicts))
+        write_whole(self._path, msgspec.json.encode(self._verdicts), parents=True)
 
 
 def build(
