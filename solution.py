@@ -60,7 +60,7 @@ class Sweep:
     """
 
     def __init__(self, xs: list[int], ys: list[int], dx: int, dy: int, k: int) -> None:
-        self.robot = xs + xs, ys + ys  # twice, so that every chain is in one piece
+        self.robot = xs, ys
         self.robot_left, self.robot_right = left, right = min(xs), max(xs)
         self.move = dx, dy
         self.k = k
@@ -77,19 +77,19 @@ class Sweep:
         """What is seen from below."""
         xs, ys = self.robot
         low, high = floor_ends(xs, self.robot_left, self.robot_right)
-        return swept_floor(xs[low : high + 1], ys[low : high + 1], *self.move, self.k)
+        return swept_floor(chain(xs, low, high), chain(ys, low, high), *self.move, self.k)
 
     @cached_property
     def mirror_floor(self) -> "Floor":
         """The floor of the sweep's reflection in the origin."""
         xs, ys = self.robot
         low, high = floor_ends(xs, self.robot_right, self.robot_left)
-        mirror_xs, mirror_ys = negated(xs[low : high + 1]), negated(ys[low : high + 1])
+        mirror_xs, mirror_ys = negated(chain(xs, low, high)), negated(chain(ys, low, high))
         dx, dy = self.move
         return swept_floor(mirror_xs, mirror_ys, -dx, -dy, self.k)
 
     def touches(self, xs: list[int], ys: list[int]) -> bool:
-        """Does the obstacle (xs, ys) share a point with the sweep? May change the lists."""
+        """Does the obstacle (xs, ys) share a point with the sweep?"""
         left = min(xs)
         right = max(xs)
         if right < self.left or left > self.right:
@@ -100,33 +100,30 @@ class Sweep:
             # only if it lies above; and under the chord, only if it lies below.
             over = (ys[0] - self.low) * (self.right - self.left) > self.rise * (x - self.left)
             if over:
-                return not sum_is_above_origin(self.mirror_floor, xs, ys, left, right)
-            return not sum_is_above_origin(self.floor, negated(xs), negated(ys), -right, -left)
-        mirror_xs, mirror_ys = negated(xs), negated(ys)
+                return not sum_is_above_origin(self.mirror_floor, 1, xs, ys, left, right)
+            return not sum_is_above_origin(self.floor, -1, xs, ys, right, left)
         return not (
-            sum_is_above_origin(self.mirror_floor, xs, ys, left, right)
-            or sum_is_above_origin(self.floor, mirror_xs, mirror_ys, -right, -left)
+            sum_is_above_origin(self.mirror_floor, 1, xs, ys, left, right)
+            or sum_is_above_origin(self.floor, -1, xs, ys, right, left)
         )
 
 
 def sum_is_above_origin(
-    floor: "Floor", xs: list[int], ys: list[int], left: int, right: int
+    floor: "Floor", sign: int, xs: list[int], ys: list[int], first: int, last: int
 ) -> bool:
     """Does the sum of two convex polygons lie strictly above the origin?
 
-    One polygon is given by its floor; the other by its vertices, counter-clockwise,
-    and its least and greatest x. Their sum must have a point with x = 0.
-    The lists xs and ys are changed.
+    One polygon is given by its floor. The other is sign * (xs, ys), counter-clockwise;
+    its floor leads from the vertex with the x `first` to that with `last`, before the sign.
+    The sum must have a point with x = 0.
     """
-    xs += xs
-    ys += ys
-    low, high = floor_ends(xs, left, right)
+    low, high = floor_ends(xs, first, last)
     floor_xs, floor_ys = floor.xs, floor.ys
 
     # The edge of the sum's floor at x = 0 belongs between the vertices low and high.
     while high - low > 1:
         middle = (low + high) // 2
-        x, y = xs[middle], ys[middle]
+        x, y = sign * xs[middle], sign * ys[middle]
         i = bisect_left(floor_xs, -x)
         if i == 0:
             high = middle
@@ -135,22 +132,23 @@ def sum_is_above_origin(
         else:
             fx, fy = floor_xs[i - 1], floor_ys[i - 1]
             ux, uy = floor_xs[i] - fx, floor_ys[i] - fy
-            if (ys[middle + 1] - y) * ux < uy * (xs[middle + 1] - x):
+            if (sign * ys[middle + 1] - y) * ux < uy * (sign * xs[middle + 1] - x):
                 low = middle
-            elif (y - ys[middle - 1]) * ux > uy * (x - xs[middle - 1]):
+            elif (y - sign * ys[middle - 1]) * ux > uy * (x - sign * xs[middle - 1]):
                 high = middle
             else:  # it is this edge (ux, uy), moved by this vertex
                 return (y + fy) * ux > uy * (x + fx)
 
     # Only the edge from low to high is left: where does it go in the merge?
-    x, y = xs[low], ys[low]
-    ux, uy = xs[high] - x, ys[high] - y
+    x, y = sign * xs[low], sign * ys[low]
+    next_x, next_y = sign * xs[high], sign * ys[high]
+    ux, uy = next_x - x, next_y - y
     i = bisect_left(floor.slopes, (uy << SLOPE_BITS) // ux)
     fx = floor_xs[i]
     if -x < fx:  # behind the origin: an edge of the floor, moved by low, is above it
         pass
-    elif -xs[high] > fx:  # before the origin: the same with high
-        x, y = xs[high], ys[high]
+    elif -next_x > fx:  # before the origin: the same with high
+        x, y = next_x, next_y
     else:
         return (y + floor_ys[i]) * ux > uy * (x + fx)
     i = bisect_left(floor_xs, -x, 1)
@@ -213,18 +211,24 @@ def swept_floor(xs: list[int], ys: list[int], dx: int, dy: int, k: int) -> Floor
 
 
 def floor_ends(xs: list[int], left: int, right: int) -> tuple[int, int]:
-    """Return the indices of the floor's first and last vertex in a polygon that is given twice.
+    """Return the indices of the floor's first and last vertex, -len(xs) <= low < high < len(xs).
 
-    xs: the x of its vertices, counter-clockwise, twice; left, right: the least and the
+    xs: the x of a polygon's vertices, counter-clockwise; left, right: the least and the
     greatest of them. With left and right exchanged: the ceiling.
+    A chain that runs over the end of the list begins at a negative index.
     """
     low = xs.index(left)
     high = xs.index(right)
-    if xs[low + 1] == left:  # a vertical edge leads down to the floor
+    if xs[low + 1 - len(xs)] == left:  # a vertical edge leads down to the floor
         low += 1
     if xs[high - 1] == right:  # a vertical edge leads up from it (high may become -1)
         high -= 1
-    return low, high if high > low else high + len(xs) // 2
+    return (low, high) if low < high else (low - len(xs), high)
+
+
+def chain(numbers: list[int], low: int, high: int) -> list[int]:
+    """Return the numbers from index low to index high; low may be negative, high is not."""
+    return numbers[low : high + 1] if low >= 0 else numbers[low:] + numbers[: high + 1]
 
 
 def negated(numbers: list[int]) -> list[int]:
