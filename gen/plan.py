@@ -44,6 +44,7 @@ class Case:
 HUGE: Parameters = {"reach": 90_000_000, "size": 90_000_000, "corner": 1}
 STILL: Parameters = {"move": "zero"}
 FULL: Parameters = {"vertices": 500_000}
+NARROW: Parameters = {"reach": 1, "size": 3, "most": 3}  # of `in_line`: hardly wider than an edge
 ONE_ON_ONE: Parameters = {"scenarios": 1, "m": 1_000, "obstacles": 1, "n": 1_000}
 
 PLANNED = (
@@ -76,6 +77,7 @@ PLANNED = (
     Case("static", "20-in-line", "in_line", STILL),
     Case("static", "21-wedges", "wedges"),
     Case("static", "22-rounds", "rounds", STILL),
+    Case("static", "23-in-line-narrow", "in_line", STILL | NARROW),
     # small: everything that the brute force can still agree to
     Case("small", "01-world", "world", {"grid": 2, "order": "random", "vertices": 2_000}),
     Case("small", "02-tiny", "tiny"),
@@ -111,6 +113,7 @@ PLANNED = (
     Case("small", "27-diagonal", "diagonal"),
     Case("small", "30-in-line", "in_line"),
     Case("small", "31-rounds", "rounds"),
+    Case("small", "32-in-line-narrow", "in_line", NARROW),
     # Two polygons as large as a file of this group permits: one answer each.
     Case("small", "28-one-on-one", "hugging", ONE_ON_ONE | {"deciding": "none"}),
     Case("small", "29-one-on-one-touching", "hugging", ONE_ON_ONE | {"deciding": "any"}),
@@ -187,6 +190,8 @@ PLANNED = (
         {"scenarios": 16, "m": 15_000, "n": 15_000, "obstacles": 1, "far": 190_000_000}
         | {"deciding": "none"},
     ),
+    Case("large", "18-in-line", "in_line", {"vertices": 60_000}),
+    Case("large", "19-rounds", "rounds", {"vertices": 60_000}),
     # many: one unit decides, wherever one looks
     Case("many", "00-mixture", "mixture", {"vertices": 30_000}, repeat=2),
     Case(
