@@ -45,6 +45,7 @@ HUGE: Parameters = {"reach": 90_000_000, "size": 90_000_000, "corner": 1}
 STILL: Parameters = {"move": "zero"}
 FULL: Parameters = {"vertices": 500_000}
 NARROW: Parameters = {"reach": 1, "size": 3, "most": 3}  # of `in_line`: hardly wider than an edge
+WIDE: Parameters = {"reach": 400, "far": 1_000, "most": 20}  # of `cuts`: robots of some size
 ONE_ON_ONE: Parameters = {"scenarios": 1, "m": 1_000, "obstacles": 1, "n": 1_000}
 
 PLANNED = (
@@ -78,6 +79,8 @@ PLANNED = (
     Case("static", "21-wedges", "wedges"),
     Case("static", "22-rounds", "rounds", STILL),
     Case("static", "23-in-line-narrow", "in_line", STILL | NARROW),
+    Case("static", "24-diagonal-again", "diagonal", STILL, repeat=2),
+    Case("static", "25-cuts-wide", "cuts", STILL | WIDE),
     # small: everything that the brute force can still agree to
     Case("small", "01-world", "world", {"grid": 2, "order": "random", "vertices": 2_000}),
     Case("small", "02-tiny", "tiny"),
@@ -114,6 +117,7 @@ PLANNED = (
     Case("small", "30-in-line", "in_line"),
     Case("small", "31-rounds", "rounds"),
     Case("small", "32-in-line-narrow", "in_line", NARROW),
+    Case("small", "33-cuts-wide", "cuts", WIDE),
     # Two polygons as large as a file of this group permits: one answer each.
     Case("small", "28-one-on-one", "hugging", ONE_ON_ONE | {"deciding": "none"}),
     Case("small", "29-one-on-one-touching", "hugging", ONE_ON_ONE | {"deciding": "any"}),
@@ -225,6 +229,8 @@ PLANNED = (
         "hugging",
         {"scenarios": 10, "m": 5_000, "obstacles": 8_000, "robot": "arc", "flat": 2},
     ),
+    # What one mixture catches by a single scenario, the other has to catch as well.
+    Case("many", "07-mixture", "mixture", {"vertices": 60_000}, repeat=3),
 )
 
 

@@ -19,6 +19,7 @@ from types import TracebackType
 from typing import Any, Self
 
 from judge.facts import Facts, RunLimits, Stop
+from judge.groups import Groups
 from judge.keeper import BOOT
 from judge.keeper.remove import remove
 from judge.keeper.wall import NOBODY
@@ -62,6 +63,7 @@ class Sandbox:
 
     def __init__(self, wall: Wall | None = None) -> None:
         self.wall = wall
+        self._groups = Groups()
         name = f"collision-course-{secrets.token_hex(8)}"
         self.scratch = Path(tempfile.gettempdir()).resolve() / name
         first = _Keeper(self.scratch)
@@ -123,6 +125,7 @@ class Sandbox:
             "env": {**command.env, "HOME": str(home), "TMPDIR": str(home)},
             "cwd": "/" if own is None else str(own),
             "wall": wall,
+            "group": self._groups.place(self.scratch.name),
             "stdin": None if stdin is None else str(stdin),
             "stdout": str(stdout),
             "kill_cpu_s": limits.kill_cpu_s,
@@ -179,6 +182,7 @@ class Sandbox:
             keeper.hang_up()
         for keeper in keepers:
             keeper.end()
+        self._groups.close(self.scratch.name)
         remove(self.scratch)
 
     def _take(self) -> _Keeper:

@@ -122,7 +122,7 @@ def _print(matrix: Matrix, analysis: Analysis, seconds: float, *, cases: bool) -
     print_groups(console, analysis)
     if cases:
         print_cases(console, matrix)
-    print_findings(console, matrix, analysis)
+    print_findings(console, matrix, analysis, needless=cases)
     console.print(
         f"{len(matrix.rows)} submissions, {len(matrix.cases)} cases: {matrix.judged} runs made, "
         f"the others kept from before; {seconds:.0f} s"

@@ -67,8 +67,8 @@ def print_cases(console: Console, matrix: Matrix) -> None:
         console.print(Text(f"{number:3} {case.name}", style="dim"), soft_wrap=True)
 
 
-def print_findings(console: Console, matrix: Matrix, analysis: Analysis) -> None:
-    """Print what cases are needed for, which are not, and every fault."""
+def print_findings(console: Console, matrix: Matrix, analysis: Analysis, *, needless: bool) -> None:
+    """Print what cases are needed for, how many (if `needless`: which) are not, every fault."""
     for title, found in (
         ("only killer of", analysis.only_killer),
         ("only killer within its group of", analysis.only_in_group),
@@ -76,7 +76,9 @@ def print_findings(console: Console, matrix: Matrix, analysis: Analysis) -> None
         for case, submissions in sorted(found.items()):
             text = f"{case}: {title} {', '.join(submissions)}"
             console.print(Text(text), soft_wrap=True)
-    text = f"kill nothing that others of their group do not: {', '.join(analysis.needless)}"
+    count = f"{len(analysis.needless)} of {len(matrix.cases)}"
+    which = f": {', '.join(analysis.needless)}" if needless else " (--cases names them)"
+    text = f"cases that kill nothing that others of their group do not: {count}{which}"
     console.print(Text(text, style="dim"), soft_wrap=True)
     for fault in analysis.faults:
         console.print(Text(fault, style="bold red"), soft_wrap=True)

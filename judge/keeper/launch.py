@@ -9,6 +9,7 @@ import signal
 from typing import Any, NamedTuple
 
 from judge.keeper.clock import Clock
+from judge.keeper.group import Group
 from judge.keeper.proc import threads_of_user
 from judge.keeper.wall import STARTED, walled
 
@@ -23,13 +24,14 @@ class LaunchError(Exception):
 
 
 class Launched(NamedTuple):
-    """A started program: its pid, its clock, our non-blocking ends of its pipes, and one more.
+    """A started program, what counts its time, and our non-blocking ends of its pipes.
 
-    started: reads as nothing if there was to be a wall and it did not stand.
+    started: one pipe more, which reads as nothing if there was to be a wall and it did not stand.
     """
 
     pid: int
     clock: Clock
+    group: Group
     stdin: int
     stdout: int
     stderr: int
@@ -55,6 +57,9 @@ def launch(request: dict[str, Any]) -> Launched:
         finally:
             os._exit(127)
     clock = Clock(pid)
+    limits = request["memory_mib"], 4 * request["processes"]
+    place = request["group"]
+    group = Group(place and f"{place}-{os.getpid()}", pid, *limits)
     for fd in (stdin, stdout, stderr, starting, complain, gate, opened):
         os.close(fd)
     problem = os.read(complaint, 4096)  # ends at once when the program is executed
@@ -62,12 +67,13 @@ def launch(request: dict[str, Any]) -> Launched:
     if problem:
         os.waitpid(pid, 0)
         clock.close()
+        group.close()
         for fd in (feed, take_out, take_err, started):
             os.close(fd)
         raise LaunchError(f"{request['argv'][0]}: {problem.decode()}")
     for fd in (feed, take_out, take_err, started):
         os.set_blocking(fd, False)
-    return Launched(pid, clock, feed, take_out, take_err, started)
+    return Launched(pid, clock, group, feed, take_out, take_err, started)
 
 
 def become(request: dict[str, Any], standard: tuple[int, int, int], starting: int) -> None:

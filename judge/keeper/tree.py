@@ -10,6 +10,7 @@ import time
 from collections.abc import Mapping
 
 from judge.keeper.clock import Clock
+from judge.keeper.group import Group
 from judge.keeper.proc import children, descendants, held_mib, proportional_mib, read
 
 REAP_TIMEOUT_S = 10.0
@@ -21,10 +22,10 @@ PAGE_MIB = os.sysconf("SC_PAGE_SIZE") / 2**20
 class Tree:
     """All processes below the keeper, which are those of the one program it runs.
 
-    cpu_s: the largest of three counts. Accounting (reaped processes, and what live
+    cpu_s: the largest of four counts. Accounting (reaped processes, and what live
     ones and their reaped children used) misses children reaped automatically; adding up
-    every process at its last sample misses what happened after that; the clock misses
-    nothing, where there is one.
+    every process at its last sample misses what happened after that; the clock and
+    the group miss nothing, where there is one.
 
     scratch: the sizes in bytes of the wall's memory file systems by their places; what
     they hold is memory of the program's, and no process shows it.
@@ -33,6 +34,7 @@ class Tree:
     def __init__(self, scratch: Mapping[str, int]) -> None:
         self._scratch = scratch
         self.clock: Clock | None = None
+        self.group: Group | None = None
         self.cpu_s = 0.0
         self.memory_mib = 0.0
         self.processes = 0
@@ -61,7 +63,7 @@ class Tree:
             memory_mib += held_mib(live[-1], self._scratch)
         self.processes = len(live)
         self.memory_mib = max(self.memory_mib, memory_mib)
-        self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()), self._clock_s())
+        self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()), self._counted_s())
 
     def starved_s(self) -> float:
         """Return how long a live process was ready to run while others had the processors."""
@@ -71,6 +73,8 @@ class Tree:
     def end(self) -> None:
         """Kill and reap everything; when it returns, no child is left. Raises TimeoutError."""
         began = time.monotonic()
+        if self.group is not None:
+            self.group.kill()
         # Behind a wall this alone ends all at once: the namespace dies with its first process.
         signal_all(children(os.getpid()), signal.SIGKILL)
         while self._reap():
@@ -84,10 +88,11 @@ class Tree:
                 signal_all(children(os.getpid()), signal.SIGKILL)
             if waited_s > REAP_TIMEOUT_S:
                 raise TimeoutError("processes of the program cannot be killed")
-        self.cpu_s = max(self.cpu_s, self._reaped_s, self._clock_s())
+        self.cpu_s = max(self.cpu_s, self._reaped_s, self._counted_s())
 
-    def _clock_s(self) -> float:
-        return 0.0 if self.clock is None else self.clock.cpu_s()
+    def _counted_s(self) -> float:
+        counters = [counter for counter in (self.clock, self.group) if counter is not None]
+        return max((counter.cpu_s() for counter in counters), default=0.0)
 
     def _reap(self) -> bool:
         """Reap what has ended; return whether anything still lives."""

@@ -27,7 +27,8 @@ def run(request: dict[str, Any]) -> dict[str, Any]:
     Request: argv, env, cwd; stdin: path of a file fed through a pipe, or null;
     stdout: path of a file to write; kill_cpu_s, kill_wall_s, memory_mib,
     output_bytes, processes: where to end it; file_mib: the largest file it may write;
-    wall: what `wall.walled` wants, null for none.
+    wall: what `wall.walled` wants, null for none; group: where to make a control group for it,
+    but for the end of its name, or null.
     Reply: the fields of `judge.facts.Facts`; stderr as Latin-1 text.
     Raises LaunchError, JudgeGoneError, TimeoutError; no process is left in any case but the last.
     """
@@ -36,7 +37,7 @@ def run(request: dict[str, Any]) -> dict[str, Any]:
     with source_path.open("rb") as source, out_path.open("wb") as out:
         started = time.monotonic()
         launched = launch(request)
-        pid, tree.clock = launched.pid, launched.clock
+        pid, tree.clock, tree.group = launched.pid, launched.clock, launched.group
         feeder = Feeder(source.fileno(), launched.stdin)
         sink = Sink(launched.stdout, launched.stderr, out.fileno(), request["output_bytes"])
         try:
@@ -44,7 +45,12 @@ def run(request: dict[str, Any]) -> dict[str, Any]:
         finally:
             tree.end()
             launched.clock.close()
+            out_of_memory = launched.group.out_of_memory
+            launched.group.close()
             feeder.close()
+        if stopped is None and out_of_memory:
+            stopped = "memory"
+            tree.memory_mib = max(tree.memory_mib, request["memory_mib"])
         wall_s = time.monotonic() - started
         sink.drain()
     stands = os.read(launched.started, 1) if request["wall"] else b"none asked for"

@@ -1,0 +1,117 @@
+"""Finds where this process may make control groups (cgroup v2), if anywhere.
+
+It may below its own group if that was delegated to its user, as systemd does for
+`systemd-run --user --scope -p Delegate=yes ./checker.py ...`, or if it is root and
+nobody forbids it. What is done there is `judge.keeper.group`'s.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import secrets
+import time
+from pathlib import Path
+
+CONTROLLERS = ("memory", "pids")
+LEAF = "collision-course"
+END_TIMEOUT_S = 2.0
+
+
+class Groups:
+    """The group to make others in: `directory`, None if there is none.
+
+    Only a group without processes of its own passes controllers on. If this process is
+    alone in its group, which then was made for it, it moves into one below, LEAF, and back
+    when this is closed. Otherwise the groups made do without controllers: they count CPU
+    time and end processes, and limit nothing.
+
+    process: this process's directory in /proc.
+    """
+
+    def __init__(self, process: Path = Path("/proc/self")) -> None:
+        self._moved = False
+        self.directory = _own_group(process)
+        if self.directory is None:
+            return
+        if self.directory.name == LEAF:  # moved already
+            self.directory = self.directory.parent
+        elif not _may_make_groups(self.directory):
+            self.directory = None
+        elif not self._pass_on_controllers("+") and self._alone():
+            self._moved = self._move(self.directory / LEAF)
+            if self._moved:
+                self._pass_on_controllers("+")
+
+    def place(self, name: str) -> str | None:
+        """Return where to make groups whose names begin with `name`, None if nowhere."""
+        return None if self.directory is None else str(self.directory / name)
+
+    def close(self, name: str) -> None:
+        """Remove what a keeper that was killed has left of them, and undo the move."""
+        if self.directory is None:
+            return
+        give_up = time.monotonic() + END_TIMEOUT_S
+        while (left := list(self.directory.glob(f"{name}-*"))) and time.monotonic() < give_up:
+            for group in left:
+                with contextlib.suppress(OSError):  # a process is still ending
+                    group.rmdir()
+            time.sleep(0.002)
+        if self._moved:
+            self._pass_on_controllers("-")
+            self._moved = not self._move(self.directory)
+            with contextlib.suppress(OSError):
+                (self.directory / LEAF).rmdir()
+
+    def _pass_on_controllers(self, sign: str) -> bool:
+        """Let groups below have the controllers, or not any more; return whether it went well."""
+        assert self.directory is not None
+        try:
+            there = (self.directory / "cgroup.controllers").read_text().split()
+            wanted = " ".join(f"{sign}{name}" for name in CONTROLLERS if name in there)
+            if wanted:
+                (self.directory / "cgroup.subtree_control").write_text(wanted)
+        except OSError:
+            return False
+        return True
+
+    def _alone(self) -> bool:
+        assert self.directory is not None
+        processes = (self.directory / "cgroup.procs").read_text().split()
+        return processes == [str(os.getpid())]
+
+    def _move(self, target: Path) -> bool:
+        try:
+            target.mkdir(exist_ok=True)
+            (target / "cgroup.procs").write_text(str(os.getpid()))
+        except OSError:
+            return False
+        return True
+
+
+def _own_group(process: Path) -> Path | None:
+    """Return the directory of the process's group in cgroup v2, None if it is not mounted."""
+    try:
+        mounts = (process / "mountinfo").read_text().splitlines()
+        groups = (process / "cgroup").read_text().splitlines()
+    except OSError:
+        return None
+    own = [line.removeprefix("0::") for line in groups if line.startswith("0::")]
+    for mount in mounts:
+        before, _, after = mount.partition(" - ")
+        if own and after.split(" ")[0] == "cgroup2":
+            root, place = before.split(" ")[3:5]
+            if Path(own[0]).is_relative_to(root):
+                return Path(place) / Path(own[0]).relative_to(root)
+    return None
+
+
+def _may_make_groups(directory: Path) -> bool:
+    """Try it: file modes do not tell, where file systems are read-only."""
+    trial = directory / f"{LEAF}-{secrets.token_hex(8)}"
+    try:
+        trial.mkdir()
+        trial.rmdir()
+    except OSError:
+        return False
+    return os.access(directory / "cgroup.procs", os.W_OK)

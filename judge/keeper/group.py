@@ -1,0 +1,82 @@
+"""A control group (cgroup v2) of its own for one program, where this user may make one.
+
+No process leaves its group, whatever it does. So it counts CPU time that no accounting
+sees, ends all processes at one stroke, and holds memory and processes between two looks
+at them, as far as the controllers for these are there. Nothing requires it.
+Source: the kernel's Documentation/admin-guide/cgroup-v2.rst
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from pathlib import Path
+
+SLACK_MIB = 16  # of page tables and the wall; what is over the limit itself is seen by looking
+
+
+class Group:
+    """The group of the process `pid`, which has started nothing yet, and of all it starts.
+
+    directory: where to make it, None for not at all. Then, or if it is refused, all this
+    does nothing.
+    """
+
+    def __init__(self, directory: str | None, pid: int, memory_mib: int, processes: int) -> None:
+        self._directory = None if directory is None else Path(directory)
+        if self._directory is None:
+            return
+        try:
+            self._directory.mkdir()
+            for file, value in (
+                ("memory.max", (memory_mib + SLACK_MIB) << 20),
+                ("memory.swap.max", 0),
+                ("memory.oom.group", 1),
+                ("pids.max", processes),
+            ):
+                with contextlib.suppress(FileNotFoundError, PermissionError):  # no controller
+                    self._write(file, value)
+            self._write("cgroup.procs", pid)
+        except OSError:
+            self.close()
+
+    def cpu_s(self) -> float:
+        """Return the CPU seconds that the group has used so far, 0 without one."""
+        for line in self._read("cpu.stat").splitlines():
+            if line.startswith("usage_usec "):
+                return int(line.split()[1]) / 1e6
+        return 0.0
+
+    @property
+    def out_of_memory(self) -> bool:
+        """Whether the kernel has ended processes since the group's memory was used up."""
+        lines = self._read("memory.events").splitlines()
+        return any(line.startswith("oom_kill ") and line != "oom_kill 0" for line in lines)
+
+    def kill(self) -> None:
+        """Kill every process of the group."""
+        with contextlib.suppress(OSError):  # before Linux 5.14 there is no such file
+            self._write("cgroup.kill", 1)
+
+    def close(self) -> None:
+        """Remove the group, whose processes have all been reaped; more than once does no harm."""
+        if self._directory is not None:
+            with contextlib.suppress(OSError):
+                self._directory.rmdir()
+            self._directory = None
+
+    def _write(self, file: str, value: int) -> None:
+        if self._directory is not None:
+            fd = os.open(self._directory / file, os.O_WRONLY)
+            try:
+                os.write(fd, str(value).encode())
+            finally:
+                os.close(fd)
+
+    def _read(self, file: str) -> str:
+        if self._directory is None:
+            return ""
+        try:
+            return (self._directory / file).read_text()
+        except OSError:
+            return ""

@@ -1,0 +1,210 @@
+"""Control groups: found where they may be made, used for what they are good for, gone after."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from judge.groups import LEAF, Groups
+from judge.keeper.group import Group
+
+ROOT = Path(__file__).resolve().parents[2]
+MOUNT = "41 31 0:38 {root} {place} rw,relatime - cgroup2 cgroup2 rw\n"
+OTHER = "40 31 0:37 / /sys/fs/cgroup/cpu rw,relatime - cgroup cgroup rw,cpu\n"
+CONTROLS = ("memory.max", "memory.swap.max", "memory.oom.group", "pids.max", "cgroup.procs")
+
+
+@pytest.fixture
+def fake(tmp_path: Path):
+    """A directory as cgroup v2 would be, and one as /proc/self, of a process in /a of it."""
+
+    def make(group: str = "/a", root: str = "/") -> tuple[Path, Path]:
+        place, process = tmp_path / "cgroup", tmp_path / "self"
+        own = place / Path(group).relative_to(root)
+        own.mkdir(parents=True)
+        process.mkdir()
+        (process / "mountinfo").write_text(OTHER + MOUNT.format(root=root, place=place))
+        (process / "cgroup").write_text(f"4:memory:/elsewhere\n0::{group}\n")
+        (own / "cgroup.controllers").write_text("cpu memory pids\n")
+        (own / "cgroup.subtree_control").write_text("")
+        (own / "cgroup.procs").write_text("1\n2\n")
+        return process, own
+
+    return make
+
+
+def test_the_own_group_is_found(fake) -> None:
+    process, own = fake()
+    groups = Groups(process)
+    assert groups.directory == own
+    assert (own / "cgroup.subtree_control").read_text() == "+memory +pids"
+    groups.close("none")
+    assert [path.name for path in own.iterdir() if path.is_dir()] == []
+
+
+def test_in_a_container_names_are_below_its_part_of_the_hierarchy(fake) -> None:
+    process, own = fake(group="/machine/a/b", root="/machine/a")
+    assert Groups(process).directory == own
+    assert own.name == "b"
+
+
+@pytest.mark.parametrize("missing", ["mountinfo", "cgroup"])
+def test_without_cgroup_v2_there_is_none(fake, missing: str) -> None:
+    process, _ = fake()
+    (process / missing).write_text("")
+    assert Groups(process).directory is None
+    (process / missing).unlink()
+    assert Groups(process).directory is None
+
+
+def test_a_group_where_none_can_be_made_is_left_alone(fake, monkeypatch) -> None:
+    process, own = fake()
+
+    def refuse(*_arguments: object, **_options: object) -> None:
+        raise PermissionError
+
+    monkeypatch.setattr(Path, "mkdir", refuse)
+    assert Groups(process).directory is None
+    assert (own / "cgroup.subtree_control").read_text() == ""
+
+
+def test_who_is_alone_in_its_group_moves_below_and_back(fake, monkeypatch) -> None:
+    process, own = fake()
+    (own / "cgroup.procs").write_text(f"{os.getpid()}\n")
+    wrote: list[tuple[str, str]] = []
+    write_text = Path.write_text
+
+    def write(path: Path, text: str) -> int:
+        wrote.append((str(path.relative_to(own)), text))
+        if len(wrote) == 1:
+            raise OSError("processes are in here")
+        return write_text(path, text)
+
+    monkeypatch.setattr(Path, "write_text", write)
+    groups = Groups(process)
+    groups.close("none")
+    assert wrote == [
+        ("cgroup.subtree_control", "+memory +pids"),
+        (f"{LEAF}/cgroup.procs", str(os.getpid())),
+        ("cgroup.subtree_control", "+memory +pids"),
+        ("cgroup.subtree_control", "-memory -pids"),
+        ("cgroup.procs", str(os.getpid())),
+    ]
+
+
+def test_a_program_is_put_in_a_group_with_its_limits(tmp_path: Path, monkeypatch) -> None:
+    mkdir = Path.mkdir
+
+    def kernel_mkdir(path: Path) -> None:
+        mkdir(path)
+        for name in CONTROLS:
+            (path / name).touch()
+
+    monkeypatch.setattr(Path, "mkdir", kernel_mkdir)
+    group = Group(f"{tmp_path}/g", 17, memory_mib=100, processes=9)
+    wrote = [(tmp_path / "g" / name).read_text() for name in CONTROLS]
+    assert wrote == [str(116 << 20), "0", "1", "9", "17"]
+    assert (group.cpu_s(), group.out_of_memory) == (0.0, False)
+    (tmp_path / "g/cpu.stat").write_text("usage_usec 1500000\nuser_usec 1\n")
+    (tmp_path / "g/memory.events").write_text("max 9\noom 1\noom_kill 0\n")
+    assert (group.cpu_s(), group.out_of_memory) == (1.5, False)
+    (tmp_path / "g/memory.events").write_text("max 9\noom 1\noom_kill 2\n")
+    assert group.out_of_memory
+
+
+def test_where_no_group_is_granted_nothing_is_left(tmp_path: Path) -> None:
+    # What no kernel made has no cgroup.procs to write to.
+    group = Group(f"{tmp_path}/g", 17, memory_mib=100, processes=9)
+    assert list(tmp_path.iterdir()) == []
+    group.kill()
+    group.close()
+    assert (group.cpu_s(), group.out_of_memory) == (0.0, False)
+
+
+KERNEL_ENDS_IT = """
+import json, sys
+from judge.keeper import watch
+from judge.keeper.group import Group
+Group.out_of_memory = True
+print(json.dumps(watch.run(json.loads(sys.argv[1]))))
+"""
+
+
+def test_what_the_kernel_ends_for_its_memory_is_over_the_limit(tmp_path: Path) -> None:
+    program = [sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"]
+    limits = {"kill_cpu_s": 9, "kill_wall_s": 9, "memory_mib": 64, "output_bytes": 9}
+    places = {"cwd": "/", "env": {}, "stdin": None, "stdout": f"{tmp_path}/out"}
+    more = {"processes": 64, "file_mib": 1, "wall": None, "group": None}
+    request = json.dumps({"argv": program, **limits, **places, **more})
+    reader, writer = os.pipe()  # its control: silent, not closed
+    done = subprocess.run(
+        [sys.executable, "-c", KERNEL_ENDS_IT, request],
+        **{"stdin": reader, "stdout": subprocess.PIPE, "cwd": ROOT, "timeout": 60, "check": True},
+    )
+    os.close(reader)
+    os.close(writer)
+    facts = json.loads(done.stdout)
+    assert (facts["signal"], facts["stopped"], facts["memory_mib"]) == (9, "memory", 64)
+
+
+@pytest.fixture
+def real() -> Iterator[Path]:
+    """The directory where real groups can be made."""
+    groups = Groups()
+    if groups.directory is None:
+        pytest.skip("this user may make no control groups")
+    yield groups.directory
+    groups.close("none")
+
+
+UNSEEN = """
+import os, signal, sys, time
+sys.stdin.readline()
+signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # children are reaped, and nobody is told
+reader, writer = os.pipe()
+if os.fork() == 0:
+    os.setsid()
+    while time.process_time() < 0.2:
+        pass
+    os.write(writer, b"x")
+    time.sleep(60)
+os.read(reader, 1)
+"""
+
+
+def test_a_real_group_counts_and_ends_what_has_left_its_parent(real: Path) -> None:
+    process = subprocess.Popen([sys.executable, "-c", UNSEEN], stdin=subprocess.PIPE)
+    directory = real / f"{LEAF}-test-{process.pid}"
+    group = Group(str(directory), process.pid, memory_mib=64, processes=8)
+    process.communicate(b"\n", timeout=60)
+    assert group.cpu_s() >= 0.2
+    left = (directory / "cgroup.procs").read_text().split()
+    assert len(left) == 1  # the daemon
+    group.kill()
+    give_up = time.monotonic() + 30
+    while (directory / "cgroup.procs").read_text() and time.monotonic() < give_up:
+        time.sleep(0.01)
+    group.close()
+    assert not directory.exists()
+
+
+def test_what_a_killed_keeper_leaves_is_removed(real: Path) -> None:
+    groups = Groups()
+    assert groups.directory is not None
+    left = Path(f"{groups.place('collision-course-left')}-17")
+    left.mkdir()
+    groups.close("collision-course-left")
+    assert not left.exists()
+
+
+def test_no_group_is_left_after_a_run(real: Path, run_python) -> None:
+    before = set(real.iterdir())
+    run_python("import os\nif os.fork() == 0: os.setsid(); import time; time.sleep(60)\n")
+    assert set(real.iterdir()) == before
