@@ -22,7 +22,7 @@ from judge.facts import Facts, RunLimits, Stop
 from judge.groups import Groups
 from judge.keeper import BOOT
 from judge.keeper.remove import remove
-from judge.keeper.wall import NOBODY
+from judge.keeper.wall import NOBODY, open_to_all
 from judge.wall import PROGRAM, SCRATCH, Wall
 
 KIT = Path(__file__).resolve().parent.parent
@@ -113,9 +113,12 @@ class Sandbox:
         stdout: Path,
         compiling: bool,
     ) -> Facts:
-        own, wall, home = None, None, SCRATCH
+        own, wall, home, drop = None, None, SCRATCH, False
         if self.wall is None:
             own = home = self.new_directory("run-")
+            drop = os.getuid() == 0 and self._open_to_all(command)
+            if drop:
+                os.chown(own, NOBODY, NOBODY)
         else:
             wall = self.wall.request(
                 command.directory, writable=compiling, prefixes=command.prefixes
@@ -124,6 +127,7 @@ class Sandbox:
             "argv": command.argv,
             "env": {**command.env, "HOME": str(home), "TMPDIR": str(home)},
             "cwd": "/" if own is None else str(own),
+            "drop": drop,
             "wall": wall,
             "group": self._groups.place(self.scratch.name),
             "stdin": None if stdin is None else str(stdin),
@@ -160,9 +164,17 @@ class Sandbox:
         """Return an empty directory that a compiler behind the wall may write to."""
         directory = self.new_directory("program-")
         directory.chmod(0o755)
-        if self.wall is not None and os.getuid() == 0:
+        if os.getuid() == 0:
             os.chown(directory, NOBODY, NOBODY)
         return directory
+
+    def _open_to_all(self, command: Command) -> bool:
+        """May every user walk to what the command needs?"""
+        needed = (os.path.realpath(command.argv[0]), *command.prefixes, f"{self.scratch}/run")
+        try:
+            return all(map(open_to_all, needed))
+        except OSError:  # it is not there, as will be said soon enough
+            return False
 
     def new_directory(self, prefix: str) -> Path:
         """Return an empty directory that lives as long as the sandbox. Raises SandboxError."""

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 from judge.keeper.clock import Clock
 from judge.keeper.group import Group
-from judge.keeper.proc import threads_of_user
-from judge.keeper.wall import STARTED, walled
+from judge.keeper.proc import threads_of
+from judge.keeper.wall import NOBODY, STARTED, drop, walled
 
 PR_SET_PDEATHSIG = 1
 SHARED_PROCESSES = 4096
@@ -84,9 +84,13 @@ def become(request: dict[str, Any], standard: tuple[int, int, int], starting: in
         os.dup2(fd, target)
     for number in (signal.SIGPIPE, signal.SIGXFSZ, signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.SIG_DFL)  # Python ignores some, and exec would keep that
-    # Root is not held by this limit, but the user that a wall drops to is, and shares it
-    # with all other walls: what holds a walled program is set inside.
-    processes = 4 * request["processes"] + threads_of_user() if os.getuid() else SHARED_PROCESSES
+    if request["wall"] and os.getuid() == 0:
+        # The user that a wall drops to shares this limit with all other walls: what holds
+        # a walled program is set inside.
+        processes = SHARED_PROCESSES
+    else:  # root itself is not held by it
+        user = NOBODY if request["drop"] else os.getuid()
+        processes = 4 * request["processes"] + threads_of(user)
     for what, value in (
         (resource.RLIMIT_CORE, 0),
         (resource.RLIMIT_CPU, int(request["kill_cpu_s"]) + 2),  # should the keeper be stopped
@@ -103,6 +107,8 @@ def become(request: dict[str, Any], standard: tuple[int, int, int], starting: in
     if request["wall"]:
         os.dup2(starting, STARTED)
         program, argv = walled(request["wall"], argv, request["processes"])
+    elif request["drop"]:
+        drop()
     os.chdir(request["cwd"])
     LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # last: a change of user would undo it
     os.execve(program, argv, request["env"])

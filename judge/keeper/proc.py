@@ -29,9 +29,9 @@ def children(pid: int) -> list[int]:
     return [int(c) for t in threads for c in read(f"{t}/children").split()]
 
 
-def threads_of_user() -> int:
-    """Return how many threads this user has: RLIMIT_NPROC counts them all."""
-    count, user = 0, os.getuid()
+def threads_of(user: int) -> int:
+    """Return how many threads a user has: RLIMIT_NPROC counts them all."""
+    count = 0
     for process in Path("/proc").glob("[0-9]*"):
         with contextlib.suppress(OSError):
             if process.stat().st_uid == user:

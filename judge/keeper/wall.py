@@ -42,9 +42,7 @@ def walled(wall: dict[str, Any], argv: list[str], processes: int) -> tuple[str, 
             sources = staged[: len(sources)]
             if own:
                 bwrap = f"{staged[-1]}/{Path(bwrap).relative_to(packages)}"
-        os.setgroups([])
-        os.setresgid(NOBODY, NOBODY, NOBODY)
-        os.setresuid(NOBODY, NOBODY, NOBODY)
+        drop()
     args = list(wall["args"])
     for source, (_, destination, writable) in zip(sources, wall["binds"], strict=True):
         args += ["--bind" if writable else "--ro-bind", source, destination]
@@ -54,6 +52,13 @@ def walled(wall: dict[str, Any], argv: list[str], processes: int) -> tuple[str, 
     told = inherited(b"".join(arg.encode() + b"\0" for arg in args))
     inner = ["/bin/sh", "-c", INNER, str(processes), *argv]
     return bwrap, ["bwrap", "--args", str(told), "--", *inner]
+
+
+def drop() -> None:
+    """Become, from root, a user who owns nothing."""
+    os.setgroups([])
+    os.setresgid(NOBODY, NOBODY, NOBODY)
+    os.setresuid(NOBODY, NOBODY, NOBODY)
 
 
 def open_to_all(path: str) -> bool:

@@ -27,6 +27,7 @@ def run(request: dict[str, Any]) -> dict[str, Any]:
     Request: argv, env, cwd; stdin: path of a file fed through a pipe, or null;
     stdout: path of a file to write; kill_cpu_s, kill_wall_s, memory_mib,
     output_bytes, processes: where to end it; file_mib: the largest file it may write;
+    drop: whether to drop from root to an unprivileged user, as a wall always does;
     wall: what `wall.walled` wants, null for none; group: where to make a control group for it,
     but for the end of its name, or null.
     Reply: the fields of `judge.facts.Facts`; stderr as Latin-1 text.

@@ -12,8 +12,11 @@ from pathlib import Path
 
 import pytest
 
+from judge.facts import RunLimits
 from judge.groups import LEAF, Groups
 from judge.keeper.group import Group
+from judge.probe import probe
+from judge.sandbox import Command, Sandbox
 
 ROOT = Path(__file__).resolve().parents[2]
 MOUNT = "41 31 0:38 {root} {place} rw,relatime - cgroup2 cgroup2 rw\n"
@@ -141,7 +144,7 @@ def test_what_the_kernel_ends_for_its_memory_is_over_the_limit(tmp_path: Path) -
     program = [sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"]
     limits = {"kill_cpu_s": 9, "kill_wall_s": 9, "memory_mib": 64, "output_bytes": 9}
     places = {"cwd": "/", "env": {}, "stdin": None, "stdout": f"{tmp_path}/out"}
-    more = {"processes": 64, "file_mib": 1, "wall": None, "group": None}
+    more = {"processes": 64, "file_mib": 1, "wall": None, "group": None, "drop": False}
     request = json.dumps({"argv": program, **limits, **places, **more})
     reader, writer = os.pipe()  # its control: silent, not closed
     done = subprocess.run(
@@ -204,7 +207,14 @@ def test_what_a_killed_keeper_leaves_is_removed(real: Path) -> None:
     assert not left.exists()
 
 
-def test_no_group_is_left_after_a_run(real: Path, run_python) -> None:
-    before = set(real.iterdir())
-    run_python("import os\nif os.fork() == 0: os.setsid(); import time; time.sleep(60)\n")
-    assert set(real.iterdir()) == before
+@pytest.mark.parametrize("wall", [False, True])
+def test_no_group_is_left_after_a_run(real: Path, tmp_path: Path, wall: bool) -> None:
+    script = "setsid sleep 60 & cat /proc/self/cgroup"
+    limits = RunLimits(time_limit_s=5, memory_mib=200, output_mib=1)
+    with Sandbox(probe().wall if wall else None) as sandbox:
+        facts = sandbox.run(Command(("/bin/sh", "-c", script)), limits, stdout=tmp_path / "out")
+        assert list(real.glob(f"{sandbox.scratch.name}*")) == []
+    assert facts.exit_status == 0
+    own = [x for x in (tmp_path / "out").read_text().splitlines() if x.startswith("0::")]
+    assert own == (["0::/"] if wall else own)  # a namespace hides the name
+    assert wall or sandbox.scratch.name in own[0]

@@ -94,7 +94,9 @@ def test_survived(path: Path, data: Path) -> None:
     if tool is not None and shutil.which(tool) is None:
         pytest.skip(f"{tool} is not installed")
     started = time.monotonic()
-    options = Options(data=data, time_limit_s=0.6, stop_on_first=True)
+    # Short for what only time ends; elsewhere a busy machine must not be what decides.
+    time_limit_s = 0.6 if "TLE" in expected(path) else 3.0
+    options = Options(data=data, time_limit_s=time_limit_s, stop_on_first=True)
     judging = judge(read_submission(path), PROBLEM, options)
     assert time.monotonic() - started < SECONDS_AT_MOST
     text = shown(judging)

@@ -14,6 +14,7 @@ import pytest
 
 from judge.facts import RunLimits, Stop
 from judge.keeper.clock import Clock
+from judge.keeper.wall import NOBODY
 from judge.sandbox import Command, Sandbox, SandboxError
 
 if TYPE_CHECKING:
@@ -332,3 +333,15 @@ def test_waiting_for_a_processor_is_not_sleep(run_bare: RunPython) -> None:
     limits = RunLimits(time_limit_s=1.0, memory_mib=1, output_mib=1)
     assert facts.wall_s > limits.kill_wall_s, "it was not kept waiting: the test says nothing"
     assert (facts.stopped, facts.exit_status) == (None, 0)
+
+
+@pytest.mark.skipif(os.getuid() != 0, reason="only root has something to drop")
+def test_root_runs_nothing_as_root_where_another_user_can_get_there(
+    sandbox: Sandbox, tmp_path: Path
+) -> None:
+    # Where root judges without a wall, as in a container, a program must not own the machine.
+    script = "id -u; touch here && ls; touch /etc/not-yours 2>/dev/null || echo refused"
+    limits = RunLimits(time_limit_s=5, memory_mib=200, output_mib=1)
+    facts = sandbox.run(Command(("/bin/sh", "-c", script)), limits, stdout=tmp_path / "out")
+    assert facts.exit_status == 0
+    assert (tmp_path / "out").read_text().split() == [str(NOBODY), "here", "refused"]
