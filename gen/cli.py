@@ -6,7 +6,7 @@ import argparse
 import os
 import re
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from fnmatch import fnmatchcase
 from pathlib import Path
 
@@ -21,9 +21,11 @@ from gen.families import FAMILIES, FamilyError, Parameters, find
 from gen.manifest import Entry, ManifestError
 from gen.plan import DATA, USER_CASES, Case, PlanError, all_cases, user_case_entry
 from gen.validator import UsageError, load_rules
+from judge.command import run
 from judge.files import write_whole
+from judge.spec import SpecError, load
 
-OK, NOT_OK, USAGE = 0, 1, 2
+OK, NOT_OK = 0, 1
 _NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,60}")
 
 
@@ -31,27 +33,22 @@ class CommandError(Exception):
     """The command makes no sense as given; one clear line."""
 
 
+ERRORS = (CommandError, FamilyError, ManifestError, PlanError, SpecError, UsageError)
+
+
 def main(arguments: list[str]) -> int:
     """Run one command; return the exit status: 0 ok, 1 not ok, 2 usage error."""
     options = _parser().parse_args(arguments)
-    command: Callable[[argparse.Namespace], int] = options.command
-    try:
-        return command(options)
-    except (CommandError, FamilyError, ManifestError, PlanError, UsageError) as error:
-        print(f"gen: {error}", file=sys.stderr)
-        return USAGE
-    except BuildError as error:
-        print(f"gen: {error}", file=sys.stderr)
-        return NOT_OK
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return NOT_OK
-    except OSError as error:
-        print(f"gen: {error.filename or 'files'}: {error.strerror}", file=sys.stderr)
-        return USAGE
-    except KeyboardInterrupt:
-        print("gen: interrupted; what was built stays, nothing is half-written", file=sys.stderr)
-        return 130
+
+    def command() -> int:
+        try:
+            status: int = options.command(options)
+        except BuildError as error:
+            print(f"gen: {error}", file=sys.stderr)
+            return NOT_OK
+        return status
+
+    return run("gen", command, ERRORS, "interrupted; what was built stays, nothing is half-written")
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -116,6 +113,8 @@ def _parameters(settings: Iterable[str]) -> Parameters:
         name, equals, value = setting.partition("=")
         if not equals:
             raise CommandError(f"--set: expected NAME=VALUE, found {setting!r}")
+        if name in parameters:
+            raise CommandError(f"--set: expected {name} once, found it again: {setting!r}")
         parameters[name] = value
     return parameters
 
@@ -200,6 +199,9 @@ def _check(options: argparse.Namespace) -> int:
     else:
         if options.group is not None:
             raise CommandError("--group: expected FILE with it; all of the data is held to its own")
+        load()  # the whole declaration is held to its form, not only what the validator reads
+        if not (options.data / manifest.FILE).is_file():
+            raise CommandError(f"--data: expected a data directory, found {options.data}")
         cases = all_cases(options.data)
         faults = check_data(options.data, cases)
         checked = f"{len(cases)} cases"
@@ -215,7 +217,9 @@ def _case(options: argparse.Namespace) -> int:
     load_rules(options.group)
     name = options.name or f"{options.family.replace('_', '-')}-{options.seed}"
     if not _NAME.fullmatch(name):
-        raise CommandError(f"--name: expected letters, digits and dashes, found {name!r}")
+        form = "up to 61 small letters, digits and dashes"
+        too_long = "" if options.name else "; the seed is too long for one: give a name"
+        raise CommandError(f"--name: expected {form}, found {name!r}{too_long}")
     parameters = find(options.family).resolve(_parameters(options.set))
     case = Case(options.group, name, options.family, parameters, options.seed)
     if any(case.path == other.path for other in all_cases(data)):

@@ -274,6 +274,9 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--group", help="hold the file to this group's promises too")
     options = parser.parse_args(arguments)
     name = str(options.file or "standard input")
+    if options.file is None and sys.stdin is None:
+        print(f"{name}: is closed", file=sys.stderr)
+        return 2
     try:
         rules = load_rules(options.group)
         source = nullcontext(sys.stdin.buffer) if options.file is None else options.file.open("rb")

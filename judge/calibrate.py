@@ -15,11 +15,13 @@ import re
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from rich.console import Console
 from rich.table import Table
 
 from judge.cases import DATA, Case, CasesError, check_built, find_cases
+from judge.command import run
 from judge.facts import RunLimits
 from judge.files import write_whole
 from judge.judging import JudgeError, reference_cpu_s
@@ -145,14 +147,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--only", metavar="TEXT", default="", help="submissions whose name has TEXT"
     )
     asked = parser.parse_args(arguments)
-    try:
-        return _calibrate(asked.only, asked.write)
-    except ERRORS as error:
-        print(f"calibrate: {error}", file=sys.stderr)
-        return 2
-    except KeyboardInterrupt:
-        print("calibrate: interrupted, nothing was written", file=sys.stderr)
-        return 130
+    command = partial(_calibrate, asked.only, asked.write)
+    return run("calibrate", command, ERRORS, "interrupted, nothing was written")
 
 
 def _calibrate(only: str, write: bool) -> int:

@@ -57,7 +57,8 @@ def find_cases(directory: Path, problem: Problem) -> list[Case]:
             continue
         answer = input_path.with_suffix(".ans")
         if not answer.is_file():
-            raise CasesError(f"{answer}: the answer file of this test case is missing")
+            hint = f"; {REBUILD}" if directory == DATA else ""
+            raise CasesError(f"{answer}: the answer file of this test case is missing{hint}")
         if _is_blank(answer):
             raise CasesError(f"{answer}: expected answers, found an empty file")
         cases.append(Case(name, group_of(name), input_path, answer))

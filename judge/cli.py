@@ -10,11 +10,11 @@ import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TextIO
 
 from rich.console import Console
 
 from judge.cases import DATA, CasesError
+from judge.command import complain, give_up
 from judge.files import write_whole
 from judge.judging import JudgeError, Options, default_jobs, judge
 from judge.junit import to_junit
@@ -71,7 +71,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         _complain("interrupted, nothing is left running")
         return EXIT_INTERRUPTED
     except OSError as error:  # of our own output: its reader went away, or its disk is full
-        _give_up(sys.stdout)
+        give_up(sys.stdout)
         _complain(f"the report cannot be written: {error.strerror}")
         return EXIT_ERROR
 
@@ -84,16 +84,7 @@ class _Console(Console):
 
 
 def _complain(message: str) -> None:
-    """Say one line on standard error, if anybody can be told."""
-    try:
-        print(f"checker.py: {message}", file=sys.stderr, flush=True)
-    except OSError:
-        _give_up(sys.stderr)
-
-
-def _give_up(stream: TextIO) -> None:
-    """Point a stream that cannot be written to nowhere, so that its flush at the end succeeds."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+    complain(f"checker.py: {message}")
 
 
 def _judge(asked: argparse.Namespace) -> int:
@@ -113,6 +104,8 @@ def _judge(asked: argparse.Namespace) -> int:
             raise JudgeError(f"{option} {path}: no such directory")
         if path.is_dir():
             raise JudgeError(f"{option} {path}: expected a file, found a directory")
+        if str(path) == "-":  # the table is there already
+            raise JudgeError(f"{option} -: expected a file, found standard output")
         if other := taken.get(path.absolute()):
             raise JudgeError(f"{option} {path}: expected a file of its own, found {other}")
         taken[path.absolute()] = f"the file of {option}"
@@ -141,6 +134,8 @@ def _judge(asked: argparse.Namespace) -> int:
 
 def _submission(asked: argparse.Namespace) -> Submission:
     language = None if asked.language is None else by_name(asked.language)
+    if asked.submission == "":
+        raise SubmissionError("expected a source file, found an empty name")
     if asked.submission not in (None, "-"):
         return read_submission(Path(asked.submission), language)
     return from_source(read_source(sys.stdin.buffer), "standard input", language)

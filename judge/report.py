@@ -7,7 +7,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from rich.console import Console
+from rich.console import Console, JustifyMethod
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 from rich.text import Text
@@ -127,7 +127,10 @@ def _group_table(judging: Judging) -> Table:
     table = Table(show_edge=False, pad_edge=False)
     for heading in ("group", "verdict", "points", "cases", "CPU s", "slowest case"):
         numeric = heading in ("points", "cases", "CPU s")
-        table.add_column(heading, justify="right" if numeric else "left", no_wrap=True)
+        # On a narrow terminal, the name of a case is the first to be cut.
+        least = {"group": 6, "points": 8, "slowest case": None}.get(heading, len(heading))
+        justify: JustifyMethod = "right" if numeric else "left"
+        table.add_column(heading, justify=justify, no_wrap=True, min_width=least)
     for group in judging.groups:
         slowest = group.slowest
         table.add_row(

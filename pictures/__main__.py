@@ -6,6 +6,8 @@ import argparse
 import sys
 from pathlib import Path
 
+from judge.command import run
+from judge.files import write_whole
 from judge.spec import ROOT
 from pictures.draw import picture
 from pictures.read import ReadError, read_scenarios
@@ -23,13 +25,13 @@ def main() -> int:
     show.add_argument("file", type=Path, help="an input file")
     show.add_argument("scenario", type=int, help="its number, counted from 1")
     arguments = parser.parse_args()
-    try:
+
+    def command() -> int:
         if arguments.command == "figures":
             return draw_figures(check=arguments.check)
         return show_scenario(arguments.file, arguments.scenario)
-    except ReadError as error:
-        print(f"pictures: {error}", file=sys.stderr)
-        return 2
+
+    return run("pictures", command, (ReadError,))
 
 
 def sample_figures() -> dict[Path, str]:
@@ -59,9 +61,7 @@ def draw_figures(*, check: bool) -> int:
         if check:
             print(f"{path.relative_to(ROOT)} is not current: run 'make figures'")
         else:
-            beside = path.with_suffix(".new")
-            beside.write_text(svg)
-            beside.replace(path)
+            write_whole(path, svg.encode())
             print(f"drawn: {path.relative_to(ROOT)}")
     return 1 if check and stale else 0
 

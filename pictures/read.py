@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 
 from gen.parse import parse
 from gen.scenario import Scenario
+from gen.validator import InputError, UsageError, load_rules, validate
 
 
 class ReadError(Exception):
@@ -13,15 +15,14 @@ class ReadError(Exception):
 
 
 def read_scenarios(path: Path) -> list[Scenario]:
-    """Return the scenarios of a file, in their order. O(size). Raises ReadError.
-
-    Only what cannot be read at all is refused: what exactly is wrong with a file,
-    the input validator says.
-    """
+    """Return the scenarios of a valid file, in their order. O(size). Raises ReadError."""
     try:
-        return parse(path.read_bytes())
+        content = path.read_bytes()
+        validate(io.BytesIO(content), load_rules())
     except OSError as error:
         raise ReadError(f"{path}: cannot be read: {error.strerror}") from None
-    except (ValueError, StopIteration, RuntimeError):
-        hint = f"python -m gen check {path}"
-        raise ReadError(f"{path}: not a valid input file; to see why: {hint}") from None
+    except UsageError as error:
+        raise ReadError(str(error)) from None
+    except InputError as fault:  # a picture of it would show what no program may be asked
+        raise ReadError(f"{path}:{fault.line}: {fault.reason}") from None
+    return parse(content)

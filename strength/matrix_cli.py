@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import sys
 import time
 from collections.abc import Sequence
 from pathlib import Path
@@ -29,7 +28,7 @@ from strength.show import as_json, print_cases, print_findings, print_groups
 from strength.table import Matrix, build
 
 FILE_WIDTH = 160  # of the table when it is not printed to a terminal
-FAILURES = (
+ERRORS = (
     CasesError,
     JudgeError,
     LanguageError,
@@ -43,7 +42,7 @@ FAILURES = (
 def main(arguments: Sequence[str]) -> int:
     """Run the command; return 0 if every submission falls as it must, else 1; 2 failed.
 
-    Raises KeyboardInterrupt.
+    Raises ERRORS, OSError, KeyboardInterrupt.
     """
     parser = argparse.ArgumentParser(
         prog="python -m strength",
@@ -59,23 +58,15 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
     options = parser.parse_args(arguments)
     start = time.perf_counter()
-    try:
-        problem = load()
-        families = {name: entry.family for name, entry in load_generated(DATA).cases.items()}
-        matrix = _matrix(options, problem)
-        analysis = analyse(matrix, problem, families)
-    except FAILURES as error:
-        print(f"strength: {error}", file=sys.stderr)
-        return 2
+    problem = load()
+    families = {name: entry.family for name, entry in load_generated(DATA).cases.items()}
+    matrix = _matrix(options, problem)
+    analysis = analyse(matrix, problem, families)
     _print(matrix, analysis, time.perf_counter() - start, cases=options.cases)
-    try:
-        if options.json:
-            write_whole(options.json, as_json(matrix, analysis), parents=True)
-        if options.html:
-            write_whole(options.html, page(matrix, analysis, families).encode(), parents=True)
-    except OSError as error:
-        print(f"strength: {error.filename}: cannot be written: {error.strerror}", file=sys.stderr)
-        return 2
+    if options.json:
+        write_whole(options.json, as_json(matrix, analysis), parents=True)
+    if options.html:
+        write_whole(options.html, page(matrix, analysis, families).encode(), parents=True)
     return 1 if analysis.faults else 0
 
 

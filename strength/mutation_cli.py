@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import sys
 import time
 from collections import Counter
 from collections.abc import Sequence
@@ -24,13 +23,14 @@ from judge.spec import SpecError, load
 from strength import equivalents
 from strength.campaign import Campaign, CampaignError, Finding, plan_for, programs, run
 
+ERRORS = (CampaignError, CasesError, SpecError, equivalents.EquivalentsError)
 HEADINGS = ("program", "mutants", "WA", "RTE", "TLE", "light", "heavy", "equivalent", "survived")
 
 
 def main(arguments: Sequence[str]) -> int:
     """Run the command; return 0 if every mutant is killed or proved equivalent, else 1; 2 failed.
 
-    Raises KeyboardInterrupt.
+    Raises ERRORS, OSError, KeyboardInterrupt.
     """
     parser = argparse.ArgumentParser(
         prog="python -m strength mutants",
@@ -53,19 +53,11 @@ def main(arguments: Sequence[str]) -> int:
     start = time.perf_counter()
     try:
         campaign = _campaign(options)
-    except (CampaignError, CasesError, SpecError, equivalents.EquivalentsError) as error:
-        print(f"strength: {error}", file=sys.stderr)
-        return 2
-    except (OSError, BrokenExecutor) as error:
-        print(f"strength: a mutant could not be tried: {error}", file=sys.stderr)
-        return 2
+    except BrokenExecutor as error:
+        raise CampaignError(f"a mutant could not be tried: {error}") from None
     _report(campaign, time.perf_counter() - start)
     if options.json:
-        try:
-            write_whole(options.json, _json(campaign), parents=True)
-        except OSError as error:
-            print(f"strength: {options.json}: {error.strerror}", file=sys.stderr)
-            return 2
+        write_whole(options.json, _json(campaign), parents=True)
     return 0 if campaign.ok else 1
 
 

@@ -20,6 +20,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
 
 from gen.scenario import Scenario
+from judge.command import run
 from judge.languages import LanguageError
 from judge.sandbox import Sandbox, SandboxError
 from judge.spec import SpecError, load
@@ -67,16 +68,9 @@ def main() -> int:
         "--jobs", type=int, default=len(os.sched_getaffinity(0)), help="complete: parts at a time"
     )
     arguments = parser.parse_args()
-    try:
-        if arguments.what == "complete":
-            return _complete(arguments)
-        return _in_python(arguments)
-    except (SolverError, SpecError, LanguageError, SandboxError) as error:
-        print(f"stress: {error}", file=sys.stderr)
-        return 2
-    except KeyboardInterrupt:
-        print("stress: interrupted", file=sys.stderr)
-        return 2
+    command = _complete if arguments.what == "complete" else _in_python
+    errors = (SolverError, SpecError, LanguageError, SandboxError)
+    return run("stress", partial(command, arguments), errors)
 
 
 def _in_python(arguments: argparse.Namespace) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import inspect
+import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, get_args, get_type_hints
@@ -11,6 +12,8 @@ from typing import Annotated, Any, get_args, get_type_hints
 from gen.rng import Rng
 from gen.scenario import LIMIT, Scenario
 from gen.seeds import derive
+
+_INTEGER = re.compile(r"-?[0-9]{1,18}", re.ASCII)
 
 
 @dataclass(frozen=True)
@@ -23,10 +26,9 @@ class Between:
     def read(self, text: int | str) -> int:
         """Return the integer that the text says; ValueError tells what was expected."""
         expected = f"expected an integer of {self.low}..{self.high}, found {str(text)[:40]!r}"
-        try:
-            value = int(text)
-        except ValueError:
-            raise ValueError(expected) from None
+        if not _INTEGER.fullmatch(str(text)):  # int() reads more than anybody writes
+            raise ValueError(expected)
+        value = int(text)
         if not self.low <= value <= self.high:
             raise ValueError(expected)
         return value
@@ -116,7 +118,8 @@ def find(name: str) -> Family:
     try:
         return FAMILIES[name]
     except KeyError:
-        raise FamilyError(f"no family {name!r}{nearest(name, FAMILIES)}") from None
+        hint = nearest(name, FAMILIES) or f"; expected one of {', '.join(FAMILIES)}"
+        raise FamilyError(f"no family {name!r}{hint}") from None
 
 
 def nearest(word: str, choices: Iterable[str]) -> str:

@@ -38,7 +38,7 @@ def test_the_committed_data_is_what_plan_and_manifest_say():
 
 def test_build_does_nothing_when_all_is_current(data, capsys):
     assert gen("build", "secret/small/*", "--data", data) == 0
-    assert "0 built, 32 were current" in capsys.readouterr().out
+    assert "0 built, 33 were current" in capsys.readouterr().out
 
 
 def test_build_repairs_what_is_missing_or_differs(data):
@@ -153,6 +153,14 @@ def test_a_method_that_fails_is_reported(data, tmp_path, monkeypatch, program, m
         (["make", "contcats"], "no family 'contcats'; did you mean 'contacts'?"),
         (["make", "contacts", "--set", "reach"], "--set: expected NAME=VALUE, found 'reach'"),
         (["make", "contacts", "--set", "reech=2"], "did you mean 'reach'?"),
+        (["make", "triangles"], "no family 'triangles'; expected one of contacts, "),
+        (["make", "contacts", "--set", "reach=1_0"], "expected an integer of 1..200000000, found"),
+        (
+            ["make", "contacts", "--set", "reach=1", "reach=2"],
+            "expected reach once, found it again",
+        ),
+        (["case", "contacts", "--group", "small", "--seed", "1" * 63], "the seed is too long"),
+        (["check", "--data", "nowhere"], "--data: expected a data directory, found nowhere"),
         (["build", "secret/none/*"], "no case matches 'secret/none/*'"),
         (["build", "--jobs", "0"], "--jobs: expected at least 1, found 0"),
         (["case", "contacts", "--group", "smal"], "no group 'smal'"),

@@ -56,10 +56,11 @@ def test_show_prints_one_scenario(monkeypatch, capsys, tmp_path):
     [
         (b"1\n3 0\n0 0\n0 0\n1 0\n0 1\n", 2, "there is no scenario 2, expected 1 to 1"),
         (b"1\n3 0\n0 0\n0 0\n1 0\n0 1\n", 0, "there is no scenario 0"),
-        (b"1\n3 0\n0 0\n0 0\n1 0\n", 1, "not a valid input file"),
-        (b"1\n3", 1, "not a valid input file"),
-        (b"", 1, "not a valid input file"),
-        (b"\xff\x00", 1, "not a valid input file"),
+        (b"1\n3 0\n0 0\n0 0\n1 0\n", 1, "case.in:6: robot, vertex 3: expected two integers"),
+        (b"1\n3", 1, "case.in:2: "),
+        (b"", 1, "case.in:1: t: expected one integer, found the end of the file"),
+        (b"\xff\x00", 1, "case.in:1: "),
+        (b"1\n3 0\n0 0\n0 0\n0 1\n1 0\n", 1, "case.in:5: "),  # clockwise
         (None, 1, "cannot be read"),
     ],
 )

@@ -1,0 +1,84 @@
+"""Every command line ends with one line and an exit status, whatever becomes of its streams."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from judge.command import run
+
+ROOT = Path(__file__).resolve().parents[2]
+COMMANDS = {
+    "gen": "-m gen make contacts",
+    "pictures": "-m pictures show data/sample/01-first.in 1",
+    "strength": "-m strength mutants --light --quick 1",
+    "stress": "-m stress random --seeds 1 --scenarios 10",
+}
+
+
+def shell(line: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        ["/bin/sh", "-c", line],
+        **{"cwd": ROOT, "stdin": subprocess.DEVNULL, "capture_output": True, "text": True},
+        check=False,
+        timeout=120,
+    )
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize(
+    ("to", "message"),
+    [
+        (">/dev/full", "standard output: No space left on device"),
+        (">&-", "standard output is closed"),
+    ],
+)
+def test_output_that_cannot_be_written(name: str, to: str, message: str) -> None:
+    done = shell(f"{sys.executable} {COMMANDS[name]} {to}")
+    assert done.returncode == 2
+    # A line of progress, left blank, may stand before it.
+    assert done.stderr.lstrip("\n") == f"{name}: {message}\n"
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_no_stream_at_all(name: str) -> None:
+    assert shell(f"{sys.executable} {COMMANDS[name]} <&- >&- 2>&-").returncode == 2
+
+
+def test_a_reader_that_goes_away_is_no_error_to_speak_of() -> None:
+    done = shell(f"(sleep 0.5; {sys.executable} {COMMANDS['gen']}; echo $? >&2) | true")
+    assert done.stderr == "1\n"
+
+
+def test_a_validator_without_input() -> None:
+    done = shell(f"{sys.executable} gen/validator.py <&-")
+    assert (done.returncode, done.stderr) == (2, "standard input: is closed\n")
+
+
+@pytest.mark.parametrize(
+    ("error", "status", "line"),
+    [
+        (KeyboardInterrupt(), 130, "x: interrupted\n"),
+        (ValueError("bad"), 2, "x: bad\n"),
+        (FileNotFoundError(2, "No such file", "/a"), 2, "x: /a: No such file\n"),
+    ],
+)
+def test_how_a_command_ends(
+    capsys: pytest.CaptureFixture[str], error: BaseException, status: int, line: str
+) -> None:
+    def command() -> int:
+        raise error
+
+    assert run("x", command, (ValueError,)) == status
+    assert capsys.readouterr().err == line
+
+
+def test_what_nobody_foresaw_is_not_hidden() -> None:
+    def command() -> int:
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        run("x", command, (ValueError,))
