@@ -46,6 +46,18 @@ STILL: Parameters = {"move": "zero"}
 FULL: Parameters = {"vertices": 500_000}
 NARROW: Parameters = {"reach": 1, "size": 3, "most": 3}  # of `in_line`: hardly wider than an edge
 WIDE: Parameters = {"reach": 400, "far": 1_000, "most": 20}  # of `cuts`: robots of some size
+TANGENT: Parameters = {"m": 600, "obstacles": 100, "length": 2_000}
+BIG_TANGENT: Parameters = {
+    "m": 250_000,
+    "obstacles": 60_000,
+    "far": 1_000_000,
+    "length": 20_000_000,
+}
+PAIRS: Parameters = {"m": 500, "obstacles": 1, "n": 490, "robot": "random"}
+LARGE_ROBOT: Parameters = {"scenarios": 1, "m": 1_990, "obstacles": 3, "deciding": "any"}
+LARGE_OBSTACLE: Parameters = {"scenarios": 1, "m": 9, "obstacles": 1, "n": 1_990, "deciding": "any"}
+HUNDREDS: Parameters = {"scenarios": 1, "m": 200, "obstacles": 600, "deciding": "last"}
+LARGEST_ROBOT: Parameters = {"scenarios": 1, "m": 499_997, "obstacles": 1, "deciding": "any"}
 ONE_ON_ONE: Parameters = {"scenarios": 1, "m": 1_000, "obstacles": 1, "n": 1_000}
 
 PLANNED = (
@@ -81,6 +93,22 @@ PLANNED = (
     Case("static", "23-in-line-narrow", "in_line", STILL | NARROW),
     Case("static", "24-diagonal-again", "diagonal", STILL, repeat=2),
     Case("static", "25-cuts-wide", "cuts", STILL | WIDE),
+    Case("static", "26-chords", "chords", STILL),
+    Case("static", "27-chords-again", "chords", STILL, repeat=2),
+    Case("static", "28-flats", "flats", STILL),
+    Case("static", "29-beyond", "beyond", STILL),
+    Case("static", "30-tips", "tips", STILL),
+    Case("static", "31-blocks", "blocks", STILL),
+    Case("static", "32-twins", "twins", {"far": 0}),
+    Case("static", "33-tangents", "tangents", TANGENT | {"far": 0}),
+    Case("static", "34-poles", "poles", {"far": 0}),
+    Case("static", "35-nested", "nested", {"far": 0, "m": 480}),
+    Case("static", "36-facing", "facing", {"scenarios": 2, "m": 499}),
+    Case("static", "37-one-on-one", "hugging", PAIRS | {"far": 0}),
+    Case("static", "38-one-on-one-arcs", "hugging", PAIRS | {"far": 0, "robot": "arc"}),
+    Case("static", "39-large-robot", "hugging", LARGE_ROBOT | {"far": 0}),
+    Case("static", "40-large-obstacle", "hugging", LARGE_OBSTACLE | {"far": 0}),
+    Case("static", "41-hundreds", "hugging", HUNDREDS | {"far": 0}),
     # small: everything that the brute force can still agree to
     Case("small", "01-world", "world", {"grid": 2, "order": "random", "vertices": 2_000}),
     Case("small", "02-tiny", "tiny"),
@@ -118,6 +146,22 @@ PLANNED = (
     Case("small", "31-rounds", "rounds"),
     Case("small", "32-in-line-narrow", "in_line", NARROW),
     Case("small", "33-cuts-wide", "cuts", WIDE),
+    Case("small", "34-chords", "chords"),
+    Case("small", "35-chords-again", "chords", repeat=2),
+    Case("small", "36-flats", "flats"),
+    Case("small", "37-beyond", "beyond"),
+    Case("small", "38-passing", "passing"),
+    Case("small", "39-tips", "tips"),
+    Case("small", "40-blocks", "blocks"),
+    Case("small", "41-twins", "twins"),
+    Case("small", "42-tangents", "tangents", TANGENT),
+    Case("small", "43-poles", "poles"),
+    Case("small", "44-nested", "nested", {"m": 480}),
+    Case("small", "45-one-on-one-random", "hugging", PAIRS),
+    Case("small", "46-one-on-one-arcs", "hugging", PAIRS | {"robot": "arc"}),
+    Case("small", "47-large-robot", "hugging", LARGE_ROBOT),
+    Case("small", "48-large-obstacle", "hugging", LARGE_OBSTACLE),
+    Case("small", "49-hundreds", "hugging", HUNDREDS),
     # Two polygons as large as a file of this group permits: one answer each.
     Case("small", "28-one-on-one", "hugging", ONE_ON_ONE | {"deciding": "none"}),
     Case("small", "29-one-on-one-touching", "hugging", ONE_ON_ONE | {"deciding": "any"}),
@@ -196,6 +240,32 @@ PLANNED = (
     ),
     Case("large", "18-in-line", "in_line", {"vertices": 60_000}),
     Case("large", "19-rounds", "rounds", {"vertices": 60_000}),
+    Case("large", "20-precise", "precise", {"vertices": 60_000}),
+    Case(
+        "large",
+        "21-tangents",
+        "tangents",
+        {"scenarios": 12, "m": 20_000, "obstacles": 3, "far": 100_000, "length": 400_000},
+    ),
+    Case("large", "22-poles", "poles", {"scenarios": 20, "m": 10_000, "far": 1_000}),
+    Case("large", "23-nested", "nested", {"scenarios": 20, "m": 8_000, "size": 1_000}),
+    # What the largest polygons hide from arrays too short and searches too few.
+    Case("large", "24-largest-robot", "hugging", LARGEST_ROBOT),
+    Case("large", "25-largest-robot-still", "hugging", LARGEST_ROBOT | {"far": 0}),
+    Case(
+        "large",
+        "26-largest-obstacle",
+        "hugging",
+        {"scenarios": 1, "m": 3, "obstacles": 1, "n": 499_997, "deciding": "any"},
+    ),
+    Case(
+        "large",
+        "27-large-obstacles",
+        "hugging",
+        {"scenarios": 1, "m": 30, "obstacles": 7, "n": 70_000, "deciding": "any"},
+    ),
+    Case("large", "28-longest-file", "longest", {"scenarios": 83_333}),
+    Case("large", "29-facing", "facing", {"scenarios": 2, "m": 110_000}),
     # many: one unit decides, wherever one looks
     Case("many", "00-mixture", "mixture", {"vertices": 30_000}, repeat=2),
     Case(
@@ -231,6 +301,33 @@ PLANNED = (
     ),
     # What one mixture catches by a single scenario, the other has to catch as well.
     Case("many", "07-mixture", "mixture", {"vertices": 60_000}, repeat=3),
+    Case("many", "08-precise", "precise", {"vertices": 60_000}, repeat=2),
+    # Obstacles whose boxes, and every window of coordinates, are full of the sweep's edges.
+    Case(
+        "many",
+        "09-tangents",
+        "tangents",
+        BIG_TANGENT | {"scenarios": 1, "deciding": "last"},
+    ),
+    Case(
+        "many",
+        "10-tangents-free",
+        "tangents",
+        BIG_TANGENT | {"scenarios": 2, "m": 100_000, "obstacles": 30_000, "length": 6_000_000},
+    ),
+    Case(
+        "many",
+        "11-most-obstacles",
+        "hugging",
+        {"scenarios": 1, "m": 1_000, "obstacles": 166_000, "deciding": "last"},
+    ),
+    Case(
+        "many",
+        "12-large-polygons",
+        "hugging",
+        {"scenarios": 2, "m": 25_000, "obstacles": 45, "n": 5_000},
+    ),
+    Case("many", "13-nested", "nested", {"scenarios": 4, "m": 60_000, "size": 10_000}),
 )
 
 

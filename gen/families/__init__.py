@@ -5,6 +5,7 @@ from gen.families import (
     containment,
     cuts,
     decoys,
+    extremes,
     hugging,
     in_line,
     parallel,
@@ -14,6 +15,7 @@ from gen.families import (
     scenes,
     sequences,
     slivers,
+    vast,
     worlds,
 )
 from gen.families.registry import FAMILIES, Family, FamilyError, Parameters, find, nearest
@@ -27,6 +29,7 @@ __all__ = [
     "containment",
     "cuts",
     "decoys",
+    "extremes",
     "find",
     "hugging",
     "in_line",
@@ -38,5 +41,6 @@ __all__ = [
     "scenes",
     "sequences",
     "slivers",
+    "vast",
     "worlds",
 ]

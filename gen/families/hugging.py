@@ -81,11 +81,7 @@ def hugging(
     none; any; the last; pairs: in half of the scenes none, in half any.
     """
     shapes = obstacle_shapes(rng, n, obstacles)
-    turns = [deciding] * scenarios
-    if deciding == "pairs":
-        turns = [("none", "any")[number % 2] for number in range(scenarios)]
-        rng.shuffle(turns)
-    for who in turns:
+    for who in turns(rng, deciding, scenarios):
         for _ in range(TRIES):
             scenario = _hugged(rng, big_robot(rng, robot, m), obstacles, shapes, far, flat, who)
             if fits(scenario):
@@ -93,6 +89,15 @@ def hugging(
         else:
             raise FamilyError("family hugging: no scene fits the world; make far, m or n smaller")
         yield into_corner(rng, scenario)
+
+
+def turns(rng: Rng, deciding: str, scenarios: int) -> list[str]:
+    """Return who decides each scene; pairs: in half of them nobody, in half any."""
+    if deciding != "pairs":
+        return [deciding] * scenarios
+    shuffled = [("none", "any")[number % 2] for number in range(scenarios)]
+    rng.shuffle(shuffled)
+    return shuffled
 
 
 def _hugged(
