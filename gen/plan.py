@@ -53,6 +53,16 @@ BIG_TANGENT: Parameters = {
     "far": 1_000_000,
     "length": 20_000_000,
 }
+LARGE_TANGENT: Parameters = {
+    "scenarios": 1,
+    "m": 1_300,
+    "obstacles": 220,
+    "length": 10_000,
+    "deciding": "any",
+}
+LOWEST: Parameters = {"m": 510, "pole": "lowest"}
+NESTED: Parameters = {"scenarios": 6, "m": 320}
+FREE: Parameters = {"deciding": "none"}
 PAIRS: Parameters = {"m": 500, "obstacles": 1, "n": 490, "robot": "random"}
 LARGE_ROBOT: Parameters = {"scenarios": 1, "m": 1_990, "obstacles": 3, "deciding": "any"}
 LARGE_OBSTACLE: Parameters = {"scenarios": 1, "m": 9, "obstacles": 1, "n": 1_990, "deciding": "any"}
@@ -102,13 +112,19 @@ PLANNED = (
     Case("static", "32-twins", "twins", {"far": 0}),
     Case("static", "33-tangents", "tangents", TANGENT | {"far": 0}),
     Case("static", "34-poles", "poles", {"far": 0}),
-    Case("static", "35-nested", "nested", {"far": 0, "m": 480}),
+    Case("static", "35-nested", "nested", NESTED | {"far": 0}),
     Case("static", "36-facing", "facing", {"scenarios": 2, "m": 499}),
     Case("static", "37-one-on-one", "hugging", PAIRS | {"far": 0}),
     Case("static", "38-one-on-one-arcs", "hugging", PAIRS | {"far": 0, "robot": "arc"}),
     Case("static", "39-large-robot", "hugging", LARGE_ROBOT | {"far": 0}),
     Case("static", "40-large-obstacle", "hugging", LARGE_OBSTACLE | {"far": 0}),
     Case("static", "41-hundreds", "hugging", HUNDREDS | {"far": 0}),
+    Case("static", "42-large-robot-free", "hugging", LARGE_ROBOT | {"far": 0} | FREE),
+    Case("static", "43-large-obstacle-free", "hugging", LARGE_OBSTACLE | {"far": 0} | FREE),
+    Case("static", "44-tangents-of-a-large-robot", "tangents", LARGE_TANGENT | {"far": 0}),
+    Case("static", "45-poles-lowest", "poles", LOWEST | {"far": 0}),
+    Case("static", "46-poles-lowest-again", "poles", LOWEST | {"far": 0}, repeat=2),
+    Case("static", "47-chords-third", "chords", STILL, repeat=3),
     # small: everything that the brute force can still agree to
     Case("small", "01-world", "world", {"grid": 2, "order": "random", "vertices": 2_000}),
     Case("small", "02-tiny", "tiny"),
@@ -156,12 +172,20 @@ PLANNED = (
     Case("small", "41-twins", "twins"),
     Case("small", "42-tangents", "tangents", TANGENT),
     Case("small", "43-poles", "poles"),
-    Case("small", "44-nested", "nested", {"m": 480}),
+    Case("small", "44-nested", "nested", NESTED),
     Case("small", "45-one-on-one-random", "hugging", PAIRS),
     Case("small", "46-one-on-one-arcs", "hugging", PAIRS | {"robot": "arc"}),
     Case("small", "47-large-robot", "hugging", LARGE_ROBOT),
     Case("small", "48-large-obstacle", "hugging", LARGE_OBSTACLE),
     Case("small", "49-hundreds", "hugging", HUNDREDS),
+    Case("small", "50-large-robot-again", "hugging", LARGE_ROBOT, repeat=2),
+    Case("small", "51-large-obstacle-again", "hugging", LARGE_OBSTACLE, repeat=2),
+    Case("small", "52-large-robot-free", "hugging", LARGE_ROBOT | FREE),
+    Case("small", "53-large-obstacle-free", "hugging", LARGE_OBSTACLE | FREE),
+    Case("small", "54-tangents-of-a-large-robot", "tangents", LARGE_TANGENT),
+    Case("small", "55-poles-lowest", "poles", LOWEST),
+    Case("small", "56-poles-lowest-again", "poles", LOWEST, repeat=2),
+    Case("small", "57-world-in-order", "world", {"vertices": 2_000}),
     # Two polygons as large as a file of this group permits: one answer each.
     Case("small", "28-one-on-one", "hugging", ONE_ON_ONE | {"deciding": "none"}),
     Case("small", "29-one-on-one-touching", "hugging", ONE_ON_ONE | {"deciding": "any"}),
@@ -247,7 +271,7 @@ PLANNED = (
         "tangents",
         {"scenarios": 12, "m": 20_000, "obstacles": 3, "far": 100_000, "length": 400_000},
     ),
-    Case("large", "22-poles", "poles", {"scenarios": 20, "m": 10_000, "far": 1_000}),
+    Case("large", "22-poles", "poles", {"scenarios": 100, "m": 1_500, "far": 60}),
     Case("large", "23-nested", "nested", {"scenarios": 20, "m": 8_000, "size": 1_000}),
     # What the largest polygons hide from arrays too short and searches too few.
     Case("large", "24-largest-robot", "hugging", LARGEST_ROBOT),
@@ -266,6 +290,7 @@ PLANNED = (
     ),
     Case("large", "28-longest-file", "longest", {"scenarios": 83_333}),
     Case("large", "29-facing", "facing", {"scenarios": 2, "m": 110_000}),
+    Case("large", "30-chords", "chords", {"vertices": 60_000}),
     # many: one unit decides, wherever one looks
     Case("many", "00-mixture", "mixture", {"vertices": 30_000}, repeat=2),
     Case(
@@ -325,9 +350,23 @@ PLANNED = (
         "many",
         "12-large-polygons",
         "hugging",
-        {"scenarios": 2, "m": 25_000, "obstacles": 45, "n": 5_000},
+        {"scenarios": 8, "m": 10_000, "obstacles": 10, "n": 5_000},
     ),
-    Case("many", "13-nested", "nested", {"scenarios": 4, "m": 60_000, "size": 10_000}),
+    Case("many", "13-nested", "nested", {"scenarios": 8, "m": 30_000, "size": 10_000}),
+    Case(
+        "many",
+        "14-largest-polygons",
+        "hugging",
+        {"scenarios": 1, "m": 50_000, "obstacles": 6, "n": 70_000, "deciding": "any"},
+    ),
+    Case(
+        "many",
+        "15-largest-robot",
+        "hugging",
+        {"scenarios": 1, "m": 480_000, "obstacles": 6_600, "deciding": "any"},
+    ),
+    Case("many", "16-poles", "poles", {"scenarios": 100, "m": 1_500, "far": 60}, repeat=2),
+    Case("many", "17-world", "world", {"vertices": 60_000}),
 )
 
 

@@ -87,23 +87,25 @@ def poles(
     m: Vertices = 600,
     far: Far = 20,
     robot: Robot = "circle",
+    pole: Annotated[str, OneOf(("any", "lowest"))] = "any",
 ) -> Iterator[Scenario]:
     """A large polygon is touched, or missed by one unit, beside its outermost vertices.
 
     That is where walks along its edges begin and end: the two edges before and after its
-    lowest, highest, leftmost or rightmost vertex. In every third scene nothing moves, and
-    the large polygon is the obstacle.
+    lowest, highest, leftmost or rightmost vertex. Some have edges of several steps, touched
+    in between. In every third scene nothing moves, and the large polygon is the obstacle.
     """
 
     def make(number: int) -> Scenario:
-        large = big_robot(rng, robot, m)
+        scale = rng.choice((1, 1, 2, 4))
+        large = [(scale * x, scale * y) for x, y in big_robot(rng, robot, m)]
         still = far == 0 or number % 3 == 0
         move = (0, 0) if still else any_vector(rng, far)
         covered = sweep(large, move)
         n = len(covered.vertices)
-        (ax, ay) = rng.choice(((0, 1), (0, -1), (1, 0), (-1, 0)))
-        pole = min(range(n), key=lambda i: _along(covered.vertices[i], (ax, ay)))
-        support = edge_support(covered, (pole + rng.between(-2, 1)) % n)
+        up = (0, 1) if pole == "lowest" else rng.choice(((0, 1), (0, -1), (1, 0), (-1, 0)))
+        lowest = min(range(n), key=lambda i: (_along(covered.vertices[i], up), covered.vertices[i]))
+        support = edge_support(covered, (lowest + rng.between(-2, 1)) % n)
         placed = pair(rng, support, in_box(rng, rng.choice((3, 30)), 3), flat=0)
         little = placed.touching if rng.chance(0.5) else placed.missing
         if number % 3 == 0:
@@ -111,7 +113,9 @@ def poles(
         return Scenario(large, move, [little])
 
     for number in range(scenarios):
-        scenario = disguised(rng, make(number))
+        scenario = make(number)
+        if pole == "any":
+            scenario = disguised(rng, scenario)
         if not fits(scenario):
             raise FamilyError("family poles: no scene fits the world; make m or far smaller")
         yield into_corner(rng, scenario)
@@ -131,7 +135,7 @@ def nested(
     far: Far = 5,
     robot: Robot = "circle",
 ) -> Iterator[Scenario]:
-    """A triangle strictly inside a polygon of m vertices (NO), or beside it by one unit (YES).
+    """A polygon of m vertices with a triangle inside (NO), around (NO), or beside it (YES).
 
     Robot and obstacle in either role, the move short, or none. No edge meets another: who
     looks at the edges only, or at some of the vertices, sees nothing.
@@ -139,27 +143,41 @@ def nested(
     for number in range(scenarios):
         for _ in range(TRIES):
             large = big_robot(rng, robot, m)
-            little = in_box(rng, size, 3)
             move = (0, 0) if far == 0 or rng.chance(0.3) else any_vector(rng, far)
-            if number % 2:
-                covered = sweep(large, move)
-                support = edge_support(covered, rng.below(len(covered.vertices)))
-                scenario = Scenario(large, move, [pair(rng, support, little, flat=0).missing])
+            scenario = _nested(rng, number, large, move, size)
+            if scenario is not None and fits(scenario):
                 break
-            inside = put_inside(rng, large, sweep(little, move).vertices)
-            if inside is None:
-                continue
-            if number % 4:
-                scenario = Scenario(large, move, [translated(inside, move)])
-            else:
-                at = min(inside)
-                own = min(sweep(little, move).vertices)
-                little = translated(little, (at[0] - own[0], at[1] - own[1]))
-                scenario = Scenario(little, move, [large])
-            break
         else:
-            raise FamilyError("family nested: no triangle fits inside; make size or far smaller")
+            raise FamilyError("family nested: no triangle fits; make size, m or far smaller")
         yield into_corner(rng, disguised(rng, scenario))
+
+
+def _nested(rng: Rng, number: int, large: Polygon, move: Point, size: int) -> Scenario | None:
+    """Return the scene with this number, None if the triangle is nowhere inside."""
+    little = in_box(rng, size, 3)
+    if number % 2:
+        covered = sweep(large, move)
+        support = edge_support(covered, rng.below(len(covered.vertices)))
+        return Scenario(large, move, [pair(rng, support, little, flat=0).missing])
+    if number % 8 == 4:
+        return Scenario(large, move, [_around(sweep(large, move).vertices)])
+    if number % 8 == 6:
+        return Scenario(_around(large), move, [large])
+    inside = put_inside(rng, large, sweep(little, move).vertices)
+    if inside is None:
+        return None
+    if number % 8 == 2:
+        return Scenario(large, move, [translated(inside, move)])
+    at, own = min(inside), min(sweep(little, move).vertices)
+    return Scenario(translated(little, minus(at, own)), move, [large])
+
+
+def _around(polygon: Polygon) -> Polygon:
+    """Return a triangle that has the polygon strictly inside."""
+    left, right = min(x for x, _ in polygon), max(x for x, _ in polygon)
+    bottom, top = min(y for _, y in polygon), max(y for _, y in polygon)
+    x, y = left - 1, bottom - 1
+    return [(x, y), (x + 2 * (right - left) + 8, y), (x, y + 2 * (top - bottom) + 8)]
 
 
 @family
