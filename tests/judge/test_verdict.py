@@ -17,6 +17,8 @@ FINE = Facts(
 KILLED = {"exit_status": None, "signal": 9}
 WRONG = Mismatch(scenario=3, line=3, column=1, expected="NO", found="YES")
 
+JAVA = b'Exception in thread "main" x\nException in thread "b" y\n\tat Main.main\n'
+
 ROWS = [
     # changed facts, comparison, verdict, words of the message
     ({}, None, Verdict.AC, ""),
@@ -24,7 +26,10 @@ ROWS = [
     ({"exit_status": 3}, None, Verdict.RTE, "exit status 3"),
     ({"exit_status": 3}, WRONG, Verdict.RTE, "exit status 3"),
     ({"exit_status": 1, "stderr": b"a\nKeyError: 7\n"}, None, Verdict.RTE, "1: KeyError: 7"),
-    ({"exit_status": 139}, None, Verdict.RTE, "exit status 139"),
+    ({"exit_status": -3}, None, Verdict.RTE, "exit status -3"),
+    ({"exit_status": 139}, None, Verdict.RTE, "exit status 139 (its own, or ended by SIGSEGV"),
+    ({"exit_status": 128}, None, Verdict.RTE, "exit status 128"),
+    ({"exit_status": 1, "stderr": JAVA}, None, Verdict.RTE, '1: Exception in thread "main" x'),
     ({"exit_status": None, "signal": 11}, None, Verdict.RTE, "SIGSEGV"),
     ({"exit_status": None, "signal": 40}, None, Verdict.RTE, "signal 40"),
     ({"cpu_s": 2.0}, None, Verdict.AC, ""),
