@@ -66,7 +66,12 @@ class Sandbox:
         self._groups = Groups()
         name = f"collision-course-{secrets.token_hex(8)}"
         self.scratch = Path(tempfile.gettempdir()).resolve() / name
-        first = _Keeper(self.scratch)
+        try:
+            first = _Keeper(self.scratch)
+        except BaseException:  # it may have been killed just after it made the directory
+            self._groups.close(name)
+            remove(self.scratch)
+            raise
         self._idle = [first]
         self._all = [first]
         self._lock = threading.Lock()

@@ -220,7 +220,9 @@ def test_many_processes_are_stopped_and_none_is_left(run_python: RunPython) -> N
     mark = f"many-{os.getpid()}-{time.monotonic_ns()}"
     code = (
         "import os, time\n"
-        "for _ in range(6): os.fork()\n"  # 64, bounded, and every one lives on
+        "for _ in range(6):\n"  # 64, bounded, and every one lives on
+        "    try: os.fork()\n"
+        "    except OSError: pass\n"  # as many as there may be
         f"time.sleep(30) # {mark}\n"
     )
     assert run_python(code, processes=20).stopped is Stop.PROCESSES
@@ -345,3 +347,14 @@ def test_root_runs_nothing_as_root_where_another_user_can_get_there(
     facts = sandbox.run(Command(("/bin/sh", "-c", script)), limits, stdout=tmp_path / "out")
     assert facts.exit_status == 0
     assert (tmp_path / "out").read_text().split() == [str(NOBODY), "here", "refused"]
+
+
+def test_a_keeper_killed_at_its_start_leaves_no_directory(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    boot = "import os, sys; os.mkdir(sys.argv[2]); os.kill(os.getpid(), 9)"
+    monkeypatch.setattr("judge.sandbox.BOOT", boot)
+    with pytest.raises(SandboxError, match="the keeper of the run was lost"):
+        Sandbox()
+    assert list(tmp_path.iterdir()) == []
