@@ -66,6 +66,18 @@ def any_move(rng: Rng, kind: str, far: int, robot: Polygon) -> Point:
     return primitive(vector) if kind == "primitive" else vector
 
 
+def fitting(make: Callable[[], Scenario | None], tries: int, otherwise: str) -> Scenario:
+    """Return the first scene that `make` does not give up (None) and that fits the world.
+
+    FamilyError says `otherwise` after so many tries.
+    """
+    for _ in range(tries):
+        scenario = make()
+        if scenario is not None and fits(scenario):
+            return scenario
+    raise FamilyError(otherwise)
+
+
 def filled(
     rng: Rng,
     make: Callable[[], Scenario | None],

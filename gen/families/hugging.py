@@ -6,10 +6,9 @@ from collections.abc import Iterator
 from typing import Annotated
 
 from gen.contact import Pair, Support, edge_support, pair, vertex_support
-from gen.families.common import any_vector
+from gen.families.common import any_vector, fitting
 from gen.families.registry import (
     Between,
-    FamilyError,
     OneOf,
     Scenarios,
     Vertices,
@@ -17,7 +16,7 @@ from gen.families.registry import (
 )
 from gen.geometry import Polygon, Sweep, step_right, sweep
 from gen.rng import Rng
-from gen.scenario import LIMIT, Scenario, disguised, fits, into_corner
+from gen.scenario import LIMIT, Scenario, disguised, into_corner
 from gen.shapes.convex import arc, in_box, near_circle, random_convex
 
 ROBOTS = ("circle", "random", "arc")
@@ -82,13 +81,12 @@ def hugging(
     """
     shapes = obstacle_shapes(rng, n, obstacles)
     for who in turns(rng, deciding, scenarios):
-        for _ in range(TRIES):
-            scenario = _hugged(rng, big_robot(rng, robot, m), obstacles, shapes, far, flat, who)
-            if fits(scenario):
-                break
-        else:
-            raise FamilyError("family hugging: no scene fits the world; make far, m or n smaller")
-        yield into_corner(rng, scenario)
+
+        def make(who: str = who) -> Scenario:
+            return _hugged(rng, big_robot(rng, robot, m), obstacles, shapes, far, flat, who)
+
+        too_large = "family hugging: no scene fits the world; make far, m or n smaller"
+        yield into_corner(rng, fitting(make, TRIES, too_large))
 
 
 def turns(rng: Rng, deciding: str, scenarios: int) -> list[str]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Annotated
 
 from gen.contact import Support, edge_support, pair, random_support, vertex_support
-from gen.families.common import any_vector, filled
+from gen.families.common import any_vector, filled, fitting
 from gen.families.containment import put_inside
 from gen.families.hugging import DECIDING, ROBOTS, big_robot, turns
 from gen.families.registry import Between, FamilyError, Length, OneOf, Scenarios, Vertices, family
@@ -39,13 +39,12 @@ def tangents(
     full of the sweep's edges, and only a search by angle finds the one that matters.
     """
     for who in turns(rng, deciding, scenarios):
-        for _ in range(TRIES):
-            scenario = _with_tangents(rng, big_robot(rng, robot, m), obstacles, far, length, who)
-            if fits(scenario):
-                break
-        else:
-            raise FamilyError("family tangents: no scene fits the world; make it smaller")
-        yield into_corner(rng, scenario)
+
+        def make(who: str = who) -> Scenario:
+            return _with_tangents(rng, big_robot(rng, robot, m), obstacles, far, length, who)
+
+        too_large = "family tangents: no scene fits the world; make it smaller"
+        yield into_corner(rng, fitting(make, TRIES, too_large))
 
 
 def _with_tangents(
@@ -141,15 +140,14 @@ def nested(
     looks at the edges only, or at some of the vertices, sees nothing.
     """
     for number in range(scenarios):
-        for _ in range(TRIES):
+
+        def make(number: int = number) -> Scenario | None:
             large = big_robot(rng, robot, m)
             move = (0, 0) if far == 0 or rng.chance(0.3) else any_vector(rng, far)
-            scenario = _nested(rng, number, large, move, size)
-            if scenario is not None and fits(scenario):
-                break
-        else:
-            raise FamilyError("family nested: no triangle fits; make size, m or far smaller")
-        yield into_corner(rng, disguised(rng, scenario))
+            return _nested(rng, number, large, move, size)
+
+        too_large = "family nested: no triangle fits; make size, m or far smaller"
+        yield into_corner(rng, disguised(rng, fitting(make, TRIES, too_large)))
 
 
 def _nested(rng: Rng, number: int, large: Polygon, move: Point, size: int) -> Scenario | None:
