@@ -12,6 +12,7 @@ import os
 import secrets
 import time
 from pathlib import Path
+from typing import Any
 
 CONTROLLERS = ("memory", "pids")
 LEAF = "collision-course"
@@ -30,7 +31,7 @@ class Groups:
     """
 
     def __init__(self, process: Path = Path("/proc/self")) -> None:
-        self._moved = False
+        self._moved = self._limits = False
         self.directory = _own_group(process)
         if self.directory is None:
             return
@@ -42,10 +43,19 @@ class Groups:
             self._moved = self._move(self.directory / LEAF)
             if self._moved:
                 self._pass_on_controllers("+")
+        if self.directory is not None:
+            passed_on = _read(self.directory / "cgroup.subtree_control").split()
+            self._limits = any(name in passed_on for name in CONTROLLERS)
 
-    def place(self, name: str) -> str | None:
-        """Return where to make groups whose names begin with `name`, None if nowhere."""
-        return None if self.directory is None else str(self.directory / name)
+    def request(self, name: str) -> dict[str, Any] | None:
+        """Return what a keeper needs to make groups, None if there is no place for them.
+
+        place: where, but for the ends of their names, which begin with `name`;
+        limits: whether controllers hold what is in them, so that they do more than count.
+        """
+        if self.directory is None:
+            return None
+        return {"place": str(self.directory / name), "limits": self._limits}
 
     def close(self, name: str) -> None:
         """Remove what a keeper that was killed has left of them, and undo the move."""
@@ -77,7 +87,7 @@ class Groups:
 
     def _alone(self) -> bool:
         assert self.directory is not None
-        processes = (self.directory / "cgroup.procs").read_text().split()
+        processes = _read(self.directory / "cgroup.procs").split()
         return processes == [str(os.getpid())]
 
     def _move(self, target: Path) -> bool:
@@ -89,13 +99,17 @@ class Groups:
         return True
 
 
+def _read(file: Path) -> str:
+    try:
+        return file.read_text()
+    except OSError:
+        return ""
+
+
 def _own_group(process: Path) -> Path | None:
     """Return the directory of the process's group in cgroup v2, None if it is not mounted."""
-    try:
-        mounts = (process / "mountinfo").read_text().splitlines()
-        groups = (process / "cgroup").read_text().splitlines()
-    except OSError:
-        return None
+    mounts = _read(process / "mountinfo").splitlines()
+    groups = _read(process / "cgroup").splitlines()
     own = [line.removeprefix("0::") for line in groups if line.startswith("0::")]
     for mount in mounts:
         before, _, after = mount.partition(" - ")

@@ -134,7 +134,7 @@ class Sandbox:
             "cwd": "/" if own is None else str(own),
             "drop": drop,
             "wall": wall,
-            "group": self._groups.place(self.scratch.name),
+            "group": self._groups.request(self.scratch.name),
             "stdin": None if stdin is None else str(stdin),
             "stdout": str(stdout),
             "kill_cpu_s": limits.kill_cpu_s,

@@ -1,7 +1,7 @@
 """The system-call filter of the wall, assembled by hand: no library, no surprise.
 
 What a contest program never needs and what widens the attack: mounting, new
-namespaces, tracing others, kernel keys, BPF, io_uring, memory that no limit sees,
+namespaces, tracing others, kernel keys, BPF, io_uring, memory that no process shows,
 sockets, the kernel's log, and typing into the terminal. Refused calls fail with EPERM, clone3 with
 ENOSYS so that libraries fall back to clone, whose flags can be seen.
 Source: Linux, Documentation/userspace-api/seccomp_filter.rst; linux/filter.h.
@@ -23,6 +23,7 @@ REFUSED: dict[str, tuple[int, int]] = {
     "syslog": (103, 116),
     "ptrace": (101, 117),
     "personality": (135, 92),
+    "vmsplice": (278, 75),
     "pivot_root": (155, 41),
     "chroot": (161, 51),
     "acct": (163, 89),
@@ -61,14 +62,15 @@ REFUSED: dict[str, tuple[int, int]] = {
     "mount_setattr": (442, 442),
     "memfd_secret": (447, 447),
 }
-CLONE, CLONE3, IOCTL = (56, 220), (435, 435), (16, 29)
+CLONE, CLONE3, IOCTL, MMAP = (56, 220), (435, 435), (16, 29), (9, 222)
 NAMESPACES = 0x7E020000  # CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET
 TIOCSTI, TIOCLINUX = 0x5412, 0x541C
+MAP_SHARED, MAP_ANONYMOUS = 0x01, 0x20
 X32_BIT = 0x40000000
 
 LOAD, JUMP_EQ, JUMP_GE, JUMP_SET, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
 ALLOW, KILL, ERRNO = 0x7FFF0000, 0x80000000, 0x00050000
-NUMBER, ARCH, ARG0, ARG1 = 0, 4, 16, 24  # offsets in struct seccomp_data, low words
+NUMBER, ARCH, ARG0, ARG1, ARG3 = 0, 4, 16, 24, 40  # offsets in struct seccomp_data, low words
 
 
 def filter_program(machine: str) -> bytes:
@@ -92,6 +94,15 @@ def filter_program(machine: str) -> bytes:
         (JUMP_EQ, 0, 4, CLONE[column]),
         (LOAD, 0, 0, ARG0),
         (JUMP_SET, 0, 1, NAMESPACES),
+        (RETURN, 0, 0, refuse),
+        (RETURN, 0, 0, ALLOW),
+    ]
+    # What is shared and has no name stays when nothing of it is mapped any more.
+    code += [
+        (JUMP_EQ, 0, 5, MMAP[column]),
+        (LOAD, 0, 0, ARG3),
+        (JUMP_SET, 0, 2, MAP_SHARED),
+        (JUMP_SET, 0, 1, MAP_ANONYMOUS),
         (RETURN, 0, 0, refuse),
         (RETURN, 0, 0, ALLOW),
     ]

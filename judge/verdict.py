@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import signal
 from dataclasses import dataclass
 from enum import StrEnum
@@ -43,7 +44,8 @@ def decide(facts: Facts, limits: RunLimits, mismatch: Mismatch | None) -> Judgem
         return Judgement(Verdict.RTE, f"more than {limits.processes} processes at once")
     if facts.stopped is Stop.MEMORY or facts.memory_mib > limits.memory_mib:
         return Judgement(
-            Verdict.MLE, f"{facts.memory_mib:.0f} MiB of memory, limit {limits.memory_mib} MiB"
+            Verdict.MLE,
+            f"{math.ceil(facts.memory_mib)} MiB of memory, limit {limits.memory_mib} MiB",
         )
     if facts.stopped is Stop.OUTPUT or facts.output_bytes > limits.output_bytes:
         return Judgement(

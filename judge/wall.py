@@ -69,6 +69,7 @@ class Wall:
                 *("--die-with-parent", "--new-session"),
                 *_system(COMPILER_SETTINGS if writable else RUN_SETTINGS),
                 *("--proc", "/proc", "--dev", "/dev"),
+                *("--dev-bind", "/dev/full", "/dev/zero"),  # reads the same, cannot be mapped
                 *sized,
                 *("--remount-ro", "/dev"),
                 *("--chdir", str(SCRATCH)),

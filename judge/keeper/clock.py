@@ -36,15 +36,20 @@ class Clock:
             told = bytes(attributes)
             self._fd = LIBC.syscall(number, told, pid, -1, -1, CLOSE_ON_EXEC)
 
+    @property
+    def granted(self) -> bool:
+        """Whether there is a counter, and it is not given back."""
+        return self._fd >= 0
+
     def cpu_s(self) -> float:
         """Return the seconds counted so far, 0 if no counter was granted."""
-        if self._fd < 0:
+        if not self.granted:
             return 0.0
         (counted_ns,) = struct.unpack("<q", os.read(self._fd, 8))
         return float(counted_ns / 1e9)
 
     def close(self) -> None:
         """Give the counter back; more than once does no harm."""
-        if self._fd >= 0:
+        if self.granted:
             os.close(self._fd)
             self._fd = -1

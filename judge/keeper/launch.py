@@ -50,16 +50,14 @@ def launch(request: dict[str, Any]) -> Launched:
     if pid == 0:
         try:
             os.close(opened)
-            os.read(gate, 1)  # until its clock runs: nothing that it starts may be missed
-            become(request, (stdin, stdout, stderr), starting)
+            become(request, (stdin, stdout, stderr), starting, gate)
         except BaseException as error:
             os.write(complain, str(error).encode())
         finally:
             os._exit(127)
     clock = Clock(pid)
-    limits = request["memory_mib"], 4 * request["processes"]
-    place = request["group"]
-    group = Group(place and f"{place}-{os.getpid()}", pid, *limits)
+    directory = place_of_group(request, clock)
+    group = Group(directory, pid, request["memory_mib"], 4 * request["processes"])
     for fd in (stdin, stdout, stderr, starting, complain, gate, opened):
         os.close(fd)
     problem = os.read(complaint, 4096)  # ends at once when the program is executed
@@ -76,7 +74,21 @@ def launch(request: dict[str, Any]) -> Launched:
     return Launched(pid, clock, group, feed, take_out, take_err, started)
 
 
-def become(request: dict[str, Any], standard: tuple[int, int, int], starting: int) -> None:
+def place_of_group(request: dict[str, Any], clock: Clock) -> str | None:
+    """Return where to make a control group, None if there is no place or nothing to gain.
+
+    To move a process into a group holds all others up for a moment. Where the clock
+    counts all, a wall ends all, and no controller holds anything, a group adds nothing.
+    """
+    group = request["group"]
+    if group is None or (clock.granted and request["wall"] and not group["limits"]):
+        return None
+    return f"{group['place']}-{os.getpid()}"
+
+
+def become(
+    request: dict[str, Any], standard: tuple[int, int, int], starting: int, gate: int
+) -> None:
     """In the child: turn into the program. Never returns; raises OSError."""
     if not request["wall"]:  # bwrap makes a session of its own, further in
         os.setsid()
@@ -111,4 +123,5 @@ def become(request: dict[str, Any], standard: tuple[int, int, int], starting: in
         drop()
     os.chdir(request["cwd"])
     LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # last: a change of user would undo it
+    os.read(gate, 1)  # until its clock runs: nothing that it starts may be missed
     os.execve(program, argv, request["env"])

@@ -11,12 +11,21 @@ from collections.abc import Mapping
 
 from judge.keeper.clock import Clock
 from judge.keeper.group import Group
-from judge.keeper.proc import children, descendants, held_mib, proportional_mib, read
+from judge.keeper.proc import (
+    Process,
+    children,
+    descendants,
+    held_mib,
+    look_at,
+    proportional_mib,
+    read,
+    tables_mib,
+)
 
 REAP_TIMEOUT_S = 10.0
 ORDERLY_END_S = 0.003  # after that, what is left is not ending by itself
-TICK_S = 1 / os.sysconf("SC_CLK_TCK")
-PAGE_MIB = os.sysconf("SC_PAGE_SIZE") / 2**20
+WALL_PROCESSES = 2  # one outside, and the first within; their memory is not the program's
+SHARED_EVERY = 10  # looks
 
 
 class Tree:
@@ -38,6 +47,7 @@ class Tree:
         self.cpu_s = 0.0
         self.memory_mib = 0.0
         self.processes = 0
+        self._looks = 0
         self.largest_mib = 0.0  # of one reaped process, exact to the page
         self.status: dict[int, int] = {}
         self._reaped_s = 0.0
@@ -45,25 +55,29 @@ class Tree:
 
     def sample(self, memory_limit_mib: float) -> None:
         """Look at every live process once."""
-        live = descendants()
-        accounted_s, resident_mib = self._reaped_s, dict.fromkeys(live, 0.0)
-        for pid in live:
-            stat = read(f"/proc/{pid}/stat").rpartition(")")[2].split()
-            if not stat:
-                continue
-            own, waited = int(stat[11]) + int(stat[12]), int(stat[13]) + int(stat[14])
-            accounted_s += (own + waited) * TICK_S
-            self._seen_s[pid, stat[19]] = own * TICK_S
-            resident_mib[pid] = int(stat[21]) * PAGE_MIB
-        memory_mib = sum(resident_mib.values())
-        if memory_mib > memory_limit_mib and len(live) > 1:
-            # Pages shared after a fork count once; too slow to ask every time.
-            memory_mib = sum(proportional_mib(pid, resident_mib[pid]) for pid in live)
-        if live and self._scratch:
-            memory_mib += held_mib(live[-1], self._scratch)
+        live = [process for process in map(look_at, descendants()) if process is not None]
+        accounted_s = self._reaped_s + sum(process.own_s + process.waited_s for process in live)
+        self._seen_s.update({(process.pid, process.started): process.own_s for process in live})
         self.processes = len(live)
-        self.memory_mib = max(self.memory_mib, memory_mib)
+        self.memory_mib = max(self.memory_mib, self._memory_now_mib(live, memory_limit_mib))
         self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()), self._counted_s())
+
+    def _memory_now_mib(self, live: list[Process], limit_mib: float) -> float:
+        """Return the memory in use; what several processes share counts once.
+
+        To find that out is slow: now and then, and whenever it decides. Otherwise it is
+        what there is at least.
+        """
+        self._looks += 1
+        held = next((mib for process in live if (mib := held_mib(process, self._scratch))), 0.0)
+        held += sum(map(tables_mib, live))
+        own = (self._scratch and live[WALL_PROCESSES:]) or live
+        most_mib = sum(process.resident_mib for process in own) + held
+        if len(own) < 2:
+            return most_mib
+        if most_mib > limit_mib or self._looks % SHARED_EVERY == 1:
+            return sum(map(proportional_mib, own)) + held
+        return max(process.resident_mib for process in own) + held
 
     def starved_s(self) -> float:
         """Return how long a live process was ready to run while others had the processors."""
@@ -75,19 +89,19 @@ class Tree:
         began = time.monotonic()
         if self.group is not None:
             self.group.kill()
-        # Behind a wall this alone ends all at once: the namespace dies with its first process.
-        signal_all(children(os.getpid()), signal.SIGKILL)
         while self._reap():
-            time.sleep(0.0002)
             waited_s = time.monotonic() - began
+            if waited_s > REAP_TIMEOUT_S:
+                raise TimeoutError("processes of the program cannot be killed")
             if waited_s > ORDERLY_END_S:
                 # Freeze first: what is stopped cannot fork away from the list.
                 signal_all(descendants(), signal.SIGSTOP)
                 signal_all(descendants(), signal.SIGKILL)
-            else:  # a namespace ends in two steps: who held its first process, and then that
+            else:
+                # Behind a wall this ends all, in two steps: who held the first process of the
+                # namespace, and then that, with which the namespace dies.
                 signal_all(children(os.getpid()), signal.SIGKILL)
-            if waited_s > REAP_TIMEOUT_S:
-                raise TimeoutError("processes of the program cannot be killed")
+            time.sleep(0.0002)
         self.cpu_s = max(self.cpu_s, self._reaped_s, self._counted_s())
 
     def _counted_s(self) -> float:

@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 from typing import Any
 
+from judge.keeper.group import SLACK_MIB
 from judge.keeper.launch import LaunchError, launch
 from judge.keeper.pipes import Feeder, Sink
 from judge.keeper.tree import Tree, peak_mib
@@ -28,8 +29,8 @@ def run(request: dict[str, Any]) -> dict[str, Any]:
     stdout: path of a file to write; kill_cpu_s, kill_wall_s, memory_mib,
     output_bytes, processes: where to end it; file_mib: the largest file it may write;
     drop: whether to drop from root to an unprivileged user, as a wall always does;
-    wall: what `wall.walled` wants, null for none; group: where to make a control group for it,
-    but for the end of its name, or null.
+    wall: what `wall.walled` wants, null for none; group: what
+    `judge.groups.Groups.request` returns.
     Reply: the fields of `judge.facts.Facts`; stderr as Latin-1 text.
     Raises LaunchError, JudgeGoneError, TimeoutError; no process is left in any case but the last.
     """
@@ -51,7 +52,7 @@ def run(request: dict[str, Any]) -> dict[str, Any]:
             feeder.close()
         if stopped is None and out_of_memory:
             stopped = "memory"
-            tree.memory_mib = max(tree.memory_mib, request["memory_mib"])
+            tree.memory_mib = max(tree.memory_mib, request["memory_mib"] + SLACK_MIB)
         wall_s = time.monotonic() - started
         sink.drain()
     stands = os.read(launched.started, 1) if request["wall"] else b"none asked for"

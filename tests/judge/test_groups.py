@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import subprocess
@@ -9,12 +10,15 @@ import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from threading import Thread
+from types import SimpleNamespace
 
 import pytest
 
-from judge.facts import RunLimits
+from judge.facts import RunLimits, Stop
 from judge.groups import LEAF, Groups
-from judge.keeper.group import Group
+from judge.keeper.group import SLACK_MIB, Group
+from judge.keeper.launch import place_of_group
 from judge.probe import probe
 from judge.sandbox import Command, Sandbox
 
@@ -154,7 +158,7 @@ def test_what_the_kernel_ends_for_its_memory_is_over_the_limit(tmp_path: Path) -
     os.close(reader)
     os.close(writer)
     facts = json.loads(done.stdout)
-    assert (facts["signal"], facts["stopped"], facts["memory_mib"]) == (9, "memory", 64)
+    assert (facts["signal"], facts["stopped"], facts["memory_mib"]) == (9, "memory", 64 + SLACK_MIB)
 
 
 @pytest.fixture
@@ -201,10 +205,23 @@ def test_a_real_group_counts_and_ends_what_has_left_its_parent(real: Path) -> No
 def test_what_a_killed_keeper_leaves_is_removed(real: Path) -> None:
     groups = Groups()
     assert groups.directory is not None
-    left = Path(f"{groups.place('collision-course-left')}-17")
+    left = groups.directory / "collision-course-left-17"
     left.mkdir()
     groups.close("collision-course-left")
     assert not left.exists()
+
+
+@pytest.mark.parametrize("walled", [False, True])
+@pytest.mark.parametrize("granted", [False, True])
+@pytest.mark.parametrize("limits", [False, True])
+def test_a_group_is_made_where_it_adds_something(walled: bool, granted: bool, limits: bool) -> None:
+    clock = SimpleNamespace(granted=granted)
+    wall = {"bwrap": "/usr/bin/bwrap"} if walled else None
+    request = {"wall": wall, "group": {"place": "/groups/name", "limits": limits}}
+    nothing_to_gain = walled and granted and not limits
+    place = place_of_group(request, clock)  # type: ignore[arg-type] # as much of a clock as it asks
+    assert place == (None if nothing_to_gain else f"/groups/name-{os.getpid()}")
+    assert place_of_group(request | {"group": None}, clock) is None  # type: ignore[arg-type] # so
 
 
 @pytest.mark.parametrize("wall", [False, True])
@@ -218,3 +235,31 @@ def test_no_group_is_left_after_a_run(real: Path, tmp_path: Path, wall: bool) ->
     own = [x for x in (tmp_path / "out").read_text().splitlines() if x.startswith("0::")]
     assert own == (["0::/"] if wall else own)  # a namespace hides the name
     assert wall or sandbox.scratch.name in own[0]
+
+
+def test_delegated_controllers_hold_memory_and_processes(real: Path, tmp_path: Path) -> None:
+    """Where they are: `systemd-run --user --scope -p Delegate=yes python -m pytest ...`."""
+    limits = RunLimits(time_limit_s=5, memory_mib=64, output_mib=1, processes=20)
+    held: dict[str, str] = {}
+
+    def look(name: str) -> None:
+        give_up = time.monotonic() + 30
+        while not held and time.monotonic() < give_up:
+            for group in real.glob(f"{name}-*"):
+                for file in ("memory.max", "pids.max"):
+                    with contextlib.suppress(OSError):
+                        held[file] = (group / file).read_text().strip()
+
+    with Sandbox() as sandbox:
+        request = sandbox._groups.request(sandbox.scratch.name)
+        if request is None or not request["limits"]:
+            pytest.skip("no controllers are delegated to this user")
+        watcher = Thread(target=look, args=(sandbox.scratch.name,))
+        watcher.start()
+        sandbox.run(Command(("/bin/sleep", "0.5")), limits, stdout=tmp_path / "out")
+        watcher.join()
+        code = "import os\nfor _ in range(8): os.fork()\nwhile True: x = b'1' * (3 << 20)"
+        command = Command((sys.executable, "-c", code))
+        over = sandbox.run(command, limits, stdout=tmp_path / "out")
+    assert held == {"memory.max": str((64 + SLACK_MIB) << 20), "pids.max": "80"}
+    assert over.stopped in (Stop.MEMORY, Stop.PROCESSES)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -14,6 +15,7 @@ import pytest
 
 from judge.facts import RunLimits, Stop
 from judge.keeper.clock import Clock
+from judge.keeper.proc import STATE, fields, look_at, proportional_mib
 from judge.keeper.wall import NOBODY
 from judge.sandbox import Command, Sandbox, SandboxError
 
@@ -186,7 +188,47 @@ def test_memory_of_many_processes_is_summed_but_shared_pages_count_once(
         "import os, time\n{}for _ in range(3):\n    if os.fork() == 0: break\n{}time.sleep(0.5)"
     )
     assert run_python(shared.format("", own), memory_mib=150).stopped is Stop.MEMORY
-    assert run_python(shared.format(own, ""), memory_mib=150).stopped is None
+    facts = run_python(shared.format(own, ""), memory_mib=150)
+    assert (facts.stopped, facts.memory_mib < 110) == (None, True)
+
+
+def test_what_is_shared_counts_once_far_from_the_limit_too(run_python: RunPython) -> None:
+    code = "import os, time\nx = b'1' * (60 << 20)\n"
+    code += "for _ in range(3):\n    if os.fork() == 0: break\ntime.sleep(0.5)"
+    assert 60 < run_python(code, memory_mib=2000).memory_mib < 110
+
+
+def test_who_is_ending_holds_no_memory_any_more() -> None:
+    """It cannot be asked what it shares; to count all of it would be unfair to many workers."""
+    pid = os.fork()
+    if pid == 0:
+        time.sleep(60)
+        os._exit(0)
+    alive = look_at(pid)
+    assert alive is not None
+    os.kill(pid, signal.SIGKILL)
+    os.waitid(os.P_PID, pid, os.WEXITED | os.WNOWAIT)
+    assert (alive.resident_mib > 1, proportional_mib(alive)) == (True, 0.0)
+    os.waitpid(pid, 0)
+    assert (look_at(pid), proportional_mib(alive)) == (None, 0.0)
+
+
+def test_memory_is_seen_when_the_first_thread_has_ended() -> None:
+    code = "import ctypes, threading, time\nx = b'1' * (60 << 20)\n"
+    code += "threading.Thread(target=time.sleep, args=(60,)).start()\nprint(flush=True)\n"
+    code += "ctypes.CDLL(None).pthread_exit(None)"
+    command = [sys.executable, "-c", code]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
+        assert process.stdout is not None
+        process.stdout.readline()
+        give_up = time.monotonic() + 30
+        while fields(f"/proc/{process.pid}")[STATE] != "Z" and time.monotonic() < give_up:
+            time.sleep(0.01)
+        seen = look_at(process.pid)
+        process.kill()
+    assert seen is not None
+    assert seen.place != f"/proc/{process.pid}"
+    assert seen.resident_mib > 60
 
 
 @pytest.mark.parametrize("descriptor", [1, 2])

@@ -1,12 +1,12 @@
-/* Fills memory that it shares with its children. Expect: MLE */
-#define _GNU_SOURCE
-#include <sys/mman.h>
+/* Fills memory after a fork, so that nothing is shared any more. Expect: MLE */
+#include <stdlib.h>
 #include <unistd.h>
 
 int main(void) {
-    size_t size = 1 << 30;
-    volatile char *filler = mmap(0, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    fork();
+    size_t size = 400 << 20;
+    volatile char *filler = malloc(size);
     for (size_t at = 0; at < size; at += 4096) filler[at] = 1;
+    fork();
+    for (size_t at = 0; at < size; at += 4096) filler[at] = 2;
     sleep(5);
 }
