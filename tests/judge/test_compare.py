@@ -4,19 +4,26 @@ from __future__ import annotations
 
 import io
 from itertools import zip_longest
+from unittest import mock
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from judge.compare import BLOCK_BYTES, Mismatch, compare
+from judge.text import printable
 
 SPACES = st.text(" \t\n\r\x0b\x0c", min_size=1, max_size=4).map(str.encode)
 TOKENS = st.lists(st.sampled_from([b"YES", b"no", b"No", b"yes", b"\x00", b"\xff", b"a" * 50]))
 
 
-def compared(output: bytes, answer: bytes) -> Mismatch | None:
-    return compare(io.BytesIO(output), io.BytesIO(answer))
+# A token may go on over any number of blocks.
+BLOCKS = st.sampled_from([1, 2, 3, 7, BLOCK_BYTES])
+
+
+def compared(output: bytes, answer: bytes, block_bytes: int = BLOCK_BYTES) -> Mismatch | None:
+    with mock.patch("judge.compare.BLOCK_BYTES", block_bytes):
+        return compare(io.BytesIO(output), io.BytesIO(answer))
 
 
 def first_difference(output: bytes, answer: bytes) -> int | None:
@@ -36,9 +43,9 @@ def laid_out(draw: st.DrawFn, tokens: list[bytes]) -> bytes:
     return text.rstrip() if draw(st.booleans()) else text
 
 
-@given(TOKENS.flatmap(lambda t: st.tuples(laid_out(t), laid_out(t))))
-def test_white_space_does_not_matter(texts: tuple[bytes, bytes]) -> None:
-    assert compared(*texts) is None
+@given(TOKENS.flatmap(lambda t: st.tuples(laid_out(t), laid_out(t))), BLOCKS)
+def test_white_space_does_not_matter(texts: tuple[bytes, bytes], block_bytes: int) -> None:
+    assert compared(*texts, block_bytes) is None
 
 
 @given(TOKENS.flatmap(laid_out))
@@ -46,17 +53,20 @@ def test_ascii_letter_case_does_not_matter(text: bytes) -> None:
     assert compared(text.upper(), text.lower()) is None
 
 
-@given(TOKENS.flatmap(laid_out), TOKENS.flatmap(laid_out))
-def test_the_first_difference_is_found_and_placed(output: bytes, answer: bytes) -> None:
-    mismatch = compared(output, answer)
+@given(TOKENS.flatmap(laid_out), TOKENS.flatmap(laid_out), BLOCKS)
+def test_the_first_difference_is_found_and_placed(
+    output: bytes, answer: bytes, block_bytes: int
+) -> None:
+    mismatch = compared(output, answer, block_bytes)
     assert (mismatch.scenario if mismatch else None) == first_difference(output, answer)
     if mismatch and mismatch.found is not None:
         line = output.split(b"\n")[mismatch.line - 1]
         token = output.split()[mismatch.scenario - 1]
         assert line[mismatch.column - 1 :].startswith(token)
     if mismatch:
-        assert (mismatch.expected is None) == (len(answer.split()) < mismatch.scenario)
-        assert (mismatch.found is None) == (len(output.split()) < mismatch.scenario)
+        nth = slice(mismatch.scenario - 1, mismatch.scenario)
+        assert [mismatch.expected] == ([*map(printable, answer.split()[nth])] or [None])
+        assert [mismatch.found] == ([*map(printable, output.split()[nth])] or [None])
 
 
 @given(st.integers(-3, 3), st.integers(0, 3))
