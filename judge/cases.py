@@ -78,7 +78,7 @@ def _is_blank(answer: Path) -> bool:
     """Tell whether an answer file holds nothing, which a silent program would match."""
     try:
         with answer.open("rb") as file:
-            return not file.read(4096).strip()
+            return not any(line.strip() for line in file)
     except OSError as error:
         raise CasesError(f"{answer}: cannot be read: {error.strerror}") from None
 

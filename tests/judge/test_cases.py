@@ -36,7 +36,32 @@ def test_groups_in_the_declared_order_then_foreign_ones(data: Path) -> None:
 @pytest.mark.parametrize("ending", ["in", "ans"])
 def test_half_a_pair(data: Path, ending: str) -> None:
     (data / f"secret/small/02.{ending}").unlink()
-    with pytest.raises(CasesError, match=rf"secret/small/02\.{ending}: .* missing"):
+    with pytest.raises(CasesError, match=rf"secret/small/02\.{ending}: .* missing$"):
+        find_cases(data, PROBLEM)
+
+
+def test_a_missing_answer_of_the_kit_can_be_rebuilt(data: Path, monkeypatch) -> None:
+    monkeypatch.setattr("judge.cases.DATA", data)
+    (data / "secret/small/02.ans").unlink()
+    with pytest.raises(CasesError, match=r"02\.ans: .* missing; run 'make data'$"):
+        find_cases(data, PROBLEM)
+
+
+@pytest.mark.parametrize("blank", [b"", b" \n\t\r\n", b"\n" * 5000])
+def test_an_answer_file_that_a_silent_program_would_match(data: Path, blank: bytes) -> None:
+    (data / "secret/small/02.ans").write_bytes(blank)
+    with pytest.raises(CasesError, match=r"02\.ans: expected answers, found an empty file"):
+        find_cases(data, PROBLEM)
+    (data / "secret/small/02.ans").write_bytes(blank + b"YES")
+    assert len(find_cases(data, PROBLEM)) == 4
+
+
+def test_an_answer_that_cannot_be_read(data: Path, monkeypatch) -> None:
+    def refuse(*_arguments: object, **_options: object) -> None:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "open", refuse)
+    with pytest.raises(CasesError, match=r"01\.ans: cannot be read: Permission denied"):
         find_cases(data, PROBLEM)
 
 
@@ -45,6 +70,9 @@ def test_no_cases(tmp_path: Path) -> None:
         find_cases(tmp_path, PROBLEM)
     with pytest.raises(CasesError, match=r"none: no such directory"):
         find_cases(tmp_path / "none", PROBLEM)
+    (tmp_path / "file").touch()
+    with pytest.raises(CasesError, match=r"file: not a directory"):
+        find_cases(tmp_path / "file", PROBLEM)
 
 
 def test_selection(data: Path) -> None:
@@ -63,8 +91,9 @@ def test_selection(data: Path) -> None:
     ]
     with pytest.raises(CasesError, match="no group 'smal'; did you mean 'small'"):
         chosen(["smal"], [])
-    with pytest.raises(CasesError, match=r"no test case matches '9\*'"):
-        chosen([], ["9*"])
+    looks = r"no test case matches '9\*' \(they look like 'secret/static/01'\)"
+    with pytest.raises(CasesError, match=looks):
+        chosen(["static", "small"], ["9*"])
 
 
 def test_groups_that_are_not_built(data: Path) -> None:
@@ -72,6 +101,8 @@ def test_groups_that_are_not_built(data: Path) -> None:
     check_built(cases, ["sample", "small"], data)
     with pytest.raises(CasesError, match=r"secret/large: .* run 'make data'"):
         check_built(cases, ["small", "large"], data)
+    with pytest.raises(CasesError, match=r"data/sample: .* run 'make data'"):
+        check_built(cases[1:], ["sample"], data)
 
 
 def write_manifest(data: Path) -> None:
