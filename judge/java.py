@@ -3,13 +3,27 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 
-# Comments and literals may hold anything, braces and the word `class` too.
+# Comments and literals may hold anything, braces and the word `class` too. What is not closed
+# is taken as well: to look for its end from every beginning would be quadratic.
 _NO_CODE = re.compile(
-    r"//[^\n]*|/\*.*?\*/|\"\"\".*?\"\"\"|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])+'", re.DOTALL
+    r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"\"\".*?(?:\"\"\"|\Z)"
+    r"|\"(?:\\.|[^\"\\\n])*\"?|'(?:\\.|[^'\\\n])*'?",
+    re.DOTALL,
 )
-_TYPE = re.compile(r"\b(public\b[^{};]*?)?\b(?:class|interface|enum|record)\s+(\w+)")
-_MAIN = re.compile(r"\bstatic\b[^(){};=]*\bvoid\s+main\s*\(")
+_TOKEN = re.compile(r"[\w$]+|[.(){};=]")
+_KINDS = {"class", "interface", "enum", "record"}
+_LONGEST_STEM_BYTES = 240  # a file of it, and of its class, can have that name
+
+
+@dataclass(slots=True)
+class _Type:
+    """A top-level type, as far as it has been read."""
+
+    name: str
+    public: bool
+    has_main: bool = False
 
 
 def java_names(text: str) -> tuple[str, str]:
@@ -23,37 +37,43 @@ def java_names(text: str) -> tuple[str, str]:
     >>> java_names("package a.b; class X {} public class Y { static void main(String[] a) {} }")
     ('Y', 'a.b.Y')
     """
-    code = _NO_CODE.sub(" ", text)
-    package = re.search(r"^\s*package\s+([\w.]+)\s*;", code, re.MULTILINE)
-    stem = main = None
-    for public, name, body in _top_level_types(code):
-        if public and stem is None:
-            stem = name
-        if main is None and _MAIN.search(body):
-            main = name
-    stem = stem or "Main"
-    main = main or stem
-    return stem, f"{package[1]}.{main}" if package else main
+    package, types = _read(_TOKEN.findall(_NO_CODE.sub(" ", text)))
+    stem = next((each.name for each in types if each.public), "Main")
+    main = next((each.name for each in types if each.has_main), stem)
+    if len(stem.encode()) > _LONGEST_STEM_BYTES:
+        stem = "Main"  # the compiler will say that this is not its name
+    return stem, f"{package}.{main}" if package else main
 
 
-def _top_level_types(code: str) -> list[tuple[bool, str, str]]:
-    """Return every top-level type: whether it is public, its name, its body."""
-    found = []
-    at = 0
-    while (declared := _TYPE.search(code, at)) is not None:
-        opening = code.find("{", declared.end())
-        if opening < 0:
-            break
-        at = _end_of_block(code, opening)
-        found.append((declared[1] is not None, declared[2], code[opening:at]))
-    return found
-
-
-def _end_of_block(code: str, opening: int) -> int:
-    """Return the index behind the brace that closes the one at `opening`."""
+def _read(tokens: list[str]) -> tuple[str, list[_Type]]:
+    """Return the package, empty if there is none, and the top-level types, in one pass."""
+    package, types = "", []
     depth = 0
-    for brace in re.finditer(r"[{}]", code[opening:]):
-        depth += 1 if brace[0] == "{" else -1
-        if depth == 0:
-            return opening + brace.end()
-    return len(code)
+    statement: list[str] = []  # at the top level, since the last brace or semicolon
+    words: set[str] = set()  # anywhere, since the last sign
+    declared: _Type | None = None
+    last = before = ""
+    for token in tokens:
+        is_name = token not in ".(){};="
+        if depth == 0 and declared is None and last in _KINDS and before != "." and is_name:
+            declared = _Type(token, "public" in statement)
+            types.append(declared)
+        if token == "(" and (before, last) == ("void", "main") and "static" in words and declared:
+            declared.has_main = True
+        if token == "{":
+            depth += 1
+        elif token == "}":
+            depth = max(0, depth - 1)
+            declared = declared if depth else None
+        if token in "{};":
+            if token == ";" and statement[:1] == ["package"]:
+                package = "".join(statement[1:])
+            statement = []
+        elif depth == 0:
+            statement.append(token)
+        if token in "(){};=":
+            words = set()
+        else:
+            words.add(token)
+        before, last = last, token
+    return package, types

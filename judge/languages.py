@@ -56,6 +56,8 @@ _PYTHON_BLOCK = _hints(
 )
 _STATEMENT_END = _hints(r"[;{]\s*(?://.*)?$|^\s*package\s+main\b")
 
+GUESS_CHARS = 1 << 20  # more than any problem allows
+
 # In the order in which they are tried on a text without a file name.
 LANGUAGES: tuple[Language, ...] = (
     Language(
@@ -168,8 +170,12 @@ def guess(text: str) -> Language | None:
 
     A `#!` line decides first; then whether it looks like Python, whose comments and
     strings may hold anything; then the languages in their order, as the hints of the
-    later ones also occur in texts of the earlier ones.
+    later ones also occur in texts of the earlier ones. Only the first GUESS_CHARS count;
+    linear time.
     """
+    # The hints allow any white space; where there is never more than one, they are linear.
+    lines = (re.sub(r"\s+", " ", line).rstrip() for line in text[:GUESS_CHARS].split("\n"))
+    text = "\n".join(line for line in lines if line)
     first = text[: text.find("\n")] if text.startswith("#!") else ""
     if "pypy" in first:
         return by_name("PyPy 3")

@@ -4,6 +4,10 @@ What a contest program never needs and what widens the attack: mounting, new
 namespaces, tracing others, kernel keys, BPF, io_uring, memory that no process shows,
 sockets, the kernel's log, and typing into the terminal. Refused calls fail with EPERM, clone3 with
 ENOSYS so that libraries fall back to clone, whose flags can be seen.
+
+Two more things would hide CPU time. A program that nobody may read loses its performance
+counter, so that nobody may make one. And children of who ignores SIGCHLD are not accounted: where
+there is no such counter, what to do on SIGCHLD stays as it is, whatever a program asks for.
 Source: Linux, Documentation/userspace-api/seccomp_filter.rst; linux/filter.h.
 """
 
@@ -14,9 +18,13 @@ import struct
 
 AUDIT_ARCH = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}
 
-# number on x86_64, on aarch64; -1: it does not exist there
+# number on x86_64, on aarch64; ABSENT: it does not exist there
+ABSENT = -1
 REFUSED: dict[str, tuple[int, int]] = {
     "socket": (41, 198),
+    "sendmsg": (46, 211),  # descriptors under way: the kernel keeps them for as long as it likes
+    "sendmmsg": (307, 269),
+    "setsockopt": (54, 208),  # a larger buffer
     "shmget": (29, 194),
     "semget": (64, 190),
     "msgget": (68, 186),
@@ -38,10 +46,17 @@ REFUSED: dict[str, tuple[int, int]] = {
     "add_key": (248, 217),
     "request_key": (249, 218),
     "keyctl": (250, 219),
+    "setxattr": (188, 5),  # an access list
+    "lsetxattr": (189, 6),
+    "fsetxattr": (190, 7),
+    "setxattrat": (463, 463),
+    "openat2": (437, 437),  # its mode cannot be seen
     "unshare": (272, 97),
     "perf_event_open": (298, 241),
     "fanotify_init": (300, 262),
     "open_by_handle_at": (304, 265),
+    "inotify_init": (253, ABSENT),  # its queues hold memory
+    "inotify_init1": (294, 26),
     "setns": (308, 268),
     "process_vm_readv": (310, 270),
     "process_vm_writev": (311, 271),
@@ -63,55 +78,83 @@ REFUSED: dict[str, tuple[int, int]] = {
     "memfd_secret": (447, 447),
 }
 CLONE, CLONE3, IOCTL, MMAP = (56, 220), (435, 435), (16, 29), (9, 222)
+SIGACTION, UMASK = (13, 134), (95, 166)
+# Calls that give a file its mode, and which argument that is.
+MODES = [
+    ((90, ABSENT), 1),  # chmod
+    ((91, 52), 1),  # fchmod
+    ((268, 53), 2),  # fchmodat
+    ((452, 452), 2),  # fchmodat2
+    ((85, ABSENT), 1),  # creat
+    ((133, ABSENT), 1),  # mknod
+    ((259, 33), 2),  # mknodat
+]
+OPENS = [((2, ABSENT), 1), ((257, 56), 2)]  # open, openat: the flags; the mode comes next
+MAKES_A_FILE = 0x400040  # O_CREAT, O_TMPFILE
+READABLE, EXECUTABLE = 0o400, 0o111  # by its owner, by anybody
 NAMESPACES = 0x7E020000  # CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET
-TIOCSTI, TIOCLINUX = 0x5412, 0x541C
 MAP_SHARED, MAP_ANONYMOUS = 0x01, 0x20
+TIOCSTI, TIOCLINUX = 0x5412, 0x541C
+SIGCHLD = 17
 X32_BIT = 0x40000000
 
+Instruction = tuple[int, int, int, int]
 LOAD, JUMP_EQ, JUMP_GE, JUMP_SET, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
-ALLOW, KILL, ERRNO = 0x7FFF0000, 0x80000000, 0x00050000
-NUMBER, ARCH, ARG0, ARG1, ARG3 = 0, 4, 16, 24, 40  # offsets in struct seccomp_data, low words
+# Offsets in struct seccomp_data; of arguments, the low words.
+NUMBER, ARCH, ARGUMENTS, ARGUMENT_BYTES, HIGH = 0, 4, 16, 8, 4
+ALLOW: Instruction = (RETURN, 0, 0, 0x7FFF0000)
+KILL: Instruction = (RETURN, 0, 0, 0x80000000)
 
 
-def filter_program(machine: str) -> bytes:
-    """Return the filter for a machine (`x86_64`, `aarch64`). Raises KeyError for another."""
+def filter_program(machine: str, *, counted: bool = True) -> bytes:
+    """Return the filter for a machine (`x86_64`, `aarch64`). Raises KeyError for another.
+
+    counted: a performance counter counts the CPU time of all children.
+    """
     column = list(AUDIT_ARCH).index(machine) if machine in AUDIT_ARCH else None
     if column is None:
         raise KeyError(f"no system-call filter for {machine}")
-    refuse, absent = ERRNO | errno.EPERM, ERRNO | errno.ENOSYS
-    code = [
-        (LOAD, 0, 0, ARCH),
-        (JUMP_EQ, 1, 0, AUDIT_ARCH[machine]),
-        (RETURN, 0, 0, KILL),
-        (LOAD, 0, 0, NUMBER),
-    ]
+    code = [(LOAD, 0, 0, ARCH), (JUMP_EQ, 1, 0, AUDIT_ARCH[machine]), KILL, (LOAD, 0, 0, NUMBER)]
     if machine == "x86_64":
-        code += [(JUMP_GE, 0, 1, X32_BIT), (RETURN, 0, 0, refuse)]
-    for numbers in REFUSED.values():
-        code += [(JUMP_EQ, 0, 1, numbers[column]), (RETURN, 0, 0, refuse)]
-    code += [(JUMP_EQ, 0, 1, CLONE3[column]), (RETURN, 0, 0, absent)]
-    code += [
-        (JUMP_EQ, 0, 4, CLONE[column]),
-        (LOAD, 0, 0, ARG0),
-        (JUMP_SET, 0, 1, NAMESPACES),
-        (RETURN, 0, 0, refuse),
-        (RETURN, 0, 0, ALLOW),
-    ]
+        code += [(JUMP_GE, 0, 1, X32_BIT), _fail(errno.EPERM)]
+
+    def on(call: tuple[int, int], *block: Instruction) -> None:
+        """Add what happens on a call; the block returns in any case."""
+        if call[column] != ABSENT:
+            code.extend([(JUMP_EQ, 0, len(block), call[column]), *block])
+
+    for call in REFUSED.values():
+        on(call, _fail(errno.EPERM))
+    on(CLONE3, _fail(errno.ENOSYS))
+    on(CLONE, _load(0), (JUMP_SET, 0, 1, NAMESPACES), _fail(errno.EPERM), ALLOW)
     # What is shared and has no name stays when nothing of it is mapped any more.
-    code += [
-        (JUMP_EQ, 0, 5, MMAP[column]),
-        (LOAD, 0, 0, ARG3),
-        (JUMP_SET, 0, 2, MAP_SHARED),
-        (JUMP_SET, 0, 1, MAP_ANONYMOUS),
-        (RETURN, 0, 0, refuse),
-        (RETURN, 0, 0, ALLOW),
-    ]
-    code += [
-        (JUMP_EQ, 0, 4, IOCTL[column]),
-        (LOAD, 0, 0, ARG1),
-        (JUMP_EQ, 1, 0, TIOCSTI),
-        (JUMP_EQ, 0, 1, TIOCLINUX),
-        (RETURN, 0, 0, refuse),
-        (RETURN, 0, 0, ALLOW),
-    ]
+    shared = (JUMP_SET, 0, 2, MAP_SHARED), (JUMP_SET, 0, 1, MAP_ANONYMOUS)
+    on(MMAP, _load(3), *shared, _fail(errno.EPERM), ALLOW)
+    typing = (JUMP_EQ, 1, 0, TIOCSTI), (JUMP_EQ, 0, 1, TIOCLINUX)
+    on(IOCTL, _load(1), *typing, _fail(errno.EPERM), ALLOW)
+    for call, mode in MODES:
+        on(call, *_unreadable(mode))
+    for call, flags in OPENS:
+        on(call, _load(flags), (JUMP_SET, 1, 0, MAKES_A_FILE), ALLOW, *_unreadable(flags + 1))
+    on(UMASK, _load(0), (JUMP_SET, 0, 1, READABLE), _fail(errno.EPERM), ALLOW)
+    if not counted:
+        # The second argument is the address of what to do; 0 only asks.
+        anything = _load(1), (JUMP_EQ, 0, 3, 0), _load(1, HIGH), (JUMP_EQ, 0, 1, 0)
+        on(SIGACTION, _load(0), (JUMP_EQ, 0, 4, SIGCHLD), *anything, ALLOW, _fail(0))
+    code.append(ALLOW)
     return b"".join(struct.pack("<HBBI", *instruction) for instruction in code)
+
+
+def _load(argument: int, word: int = 0) -> Instruction:
+    return LOAD, 0, 0, ARGUMENTS + argument * ARGUMENT_BYTES + word
+
+
+def _fail(error: int) -> Instruction:
+    """Return without doing it; error 0 says that it is done."""
+    return RETURN, 0, 0, 0x00050000 | error
+
+
+def _unreadable(mode: int) -> tuple[Instruction, ...]:
+    """Refuse a mode that lets somebody execute what its owner cannot read."""
+    tests = (JUMP_SET, 0, 2, EXECUTABLE), (JUMP_SET, 1, 0, READABLE)
+    return _load(mode), *tests, _fail(errno.EPERM), ALLOW

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 
 STDERR_BYTES = 8192
@@ -54,22 +55,33 @@ class Sink:
     def take(self, fd: int) -> bool:
         """Read once without waiting; return whether more may come. Closes `fd` at its end."""
         try:
-            block = os.read(fd, BLOCK_BYTES)
+            more = self._read(fd)
         except BlockingIOError:
             return True
-        if not block:
+        if not more:
             os.close(fd)
             self.open_fds.remove(fd)
-            return False
+        return more
+
+    def drain(self) -> None:
+        """Take what is in the pipes, and close them: every process that could write is gone.
+
+        There need not be an end: the kernel may still hold a writing end of it, sent over a
+        socket that nobody has read.
+        """
+        for fd in self.open_fds:
+            with contextlib.suppress(BlockingIOError):
+                while self._read(fd):
+                    pass
+            os.close(fd)
+        self.open_fds.clear()
+
+    def _read(self, fd: int) -> bool:
+        """Read once; return whether it was not the end. Raises BlockingIOError."""
+        block = os.read(fd, BLOCK_BYTES)
         if fd == self._stderr_fd:
             self.stderr += block[: STDERR_BYTES - len(self.stderr)]
         else:
             os.write(self._file, block[: max(0, self._limit - self.written)])
         self.written += len(block)
-        return True
-
-    def drain(self) -> None:
-        """Take what is left in the pipes, all of whose writers are gone."""
-        for fd in list(self.open_fds):
-            while self.take(fd):
-                pass
+        return bool(block)

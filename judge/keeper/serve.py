@@ -63,6 +63,7 @@ def main() -> None:
     """Serve the judge until it is gone."""
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)  # the end of standard input is what ends the keeper
+    signal.signal(signal.SIGCHLD, signal.SIG_DFL)  # who ignores it is never told of an end
     LIBC.prctl(PR_SET_CHILD_SUBREAPER, 1)
     # Against a fork bomb that shares the processors fairly, the keeper would lose. Who may
     # not set this is held by RLIMIT_NPROC, which does not hold those who may.

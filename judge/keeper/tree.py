@@ -11,21 +11,11 @@ from collections.abc import Mapping
 
 from judge.keeper.clock import Clock
 from judge.keeper.group import Group
-from judge.keeper.proc import (
-    Process,
-    children,
-    descendants,
-    held_mib,
-    look_at,
-    proportional_mib,
-    read,
-    tables_mib,
-)
+from judge.keeper.memory import Memory
+from judge.keeper.proc import children, descendants, look_at, read
 
 REAP_TIMEOUT_S = 10.0
 ORDERLY_END_S = 0.003  # after that, what is left is not ending by itself
-WALL_PROCESSES = 2  # one outside, and the first within; their memory is not the program's
-SHARED_EVERY = 10  # looks
 
 
 class Tree:
@@ -36,18 +26,16 @@ class Tree:
     every process at its last sample misses what happened after that; the clock and
     the group miss nothing, where there is one.
 
-    scratch: the sizes in bytes of the wall's memory file systems by their places; what
-    they hold is memory of the program's, and no process shows it.
+    scratch: see `memory.Memory`.
     """
 
     def __init__(self, scratch: Mapping[str, int]) -> None:
-        self._scratch = scratch
+        self._memory = Memory(scratch)
         self.clock: Clock | None = None
         self.group: Group | None = None
         self.cpu_s = 0.0
         self.memory_mib = 0.0
         self.processes = 0
-        self._looks = 0
         self.largest_mib = 0.0  # of one reaped process, exact to the page
         self.status: dict[int, int] = {}
         self._reaped_s = 0.0
@@ -59,25 +47,8 @@ class Tree:
         accounted_s = self._reaped_s + sum(process.own_s + process.waited_s for process in live)
         self._seen_s.update({(process.pid, process.started): process.own_s for process in live})
         self.processes = len(live)
-        self.memory_mib = max(self.memory_mib, self._memory_now_mib(live, memory_limit_mib))
+        self.memory_mib = max(self.memory_mib, self._memory.used_mib(live, memory_limit_mib))
         self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()), self._counted_s())
-
-    def _memory_now_mib(self, live: list[Process], limit_mib: float) -> float:
-        """Return the memory in use; what several processes share counts once.
-
-        To find that out is slow: now and then, and whenever it decides. Otherwise it is
-        what there is at least.
-        """
-        self._looks += 1
-        held = next((mib for process in live if (mib := held_mib(process, self._scratch))), 0.0)
-        held += sum(map(tables_mib, live))
-        own = (self._scratch and live[WALL_PROCESSES:]) or live
-        most_mib = sum(process.resident_mib for process in own) + held
-        if len(own) < 2:
-            return most_mib
-        if most_mib > limit_mib or self._looks % SHARED_EVERY == 1:
-            return sum(map(proportional_mib, own)) + held
-        return max(process.resident_mib for process in own) + held
 
     def starved_s(self) -> float:
         """Return how long a live process was ready to run while others had the processors."""

@@ -127,7 +127,14 @@ def test_an_endless_source_is_read_in_part_only() -> None:
         ('class T { String s = "class U {"; static void main(String[] a) { } }', ("Main", "T")),
         ("package a.b;\npublic final class P { static void main(String[] a) {} }", ("P", "a.b.P")),
         ("record R() {} public class Q { int main; static void main(String[] a) {} }", ("Q", "Q")),
+        ("public class My$A { } class B$ { static void main(String[] a) { } }", ("My$A", "B$")),
+        ("@A(B.class) @C({1, 2}) public class D { static void main() { } }", ("D", "D")),
+        ("class A { void main() { } static int b = f(); static void main() { } }", ("Main", "A")),
+        ("class A { static int x; void main() { } } class B { }", ("Main", "Main")),
+        ("class A { } } class B { static void main() { } }", ("Main", "B")),
+        ("class A { /* static void main() { } */ char c = '\"'; } class B { }", ("Main", "Main")),
         ("nothing at all", ("Main", "Main")),
+        ("public class " + 300 * "x" + "{ }", ("Main", 300 * "x")),
     ],
 )  # fmt: skip
 def test_java_names(text: str, names: tuple[str, str]) -> None:

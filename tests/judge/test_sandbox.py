@@ -15,7 +15,9 @@ import pytest
 
 from judge.facts import RunLimits, Stop
 from judge.keeper.clock import Clock
-from judge.keeper.proc import STATE, fields, look_at, proportional_mib
+from judge.keeper.memory import Memory, proportional_mib
+from judge.keeper.pipes import Sink
+from judge.keeper.proc import STATE, Process, fields, look_at
 from judge.keeper.wall import NOBODY
 from judge.sandbox import Command, Sandbox, SandboxError
 
@@ -201,6 +203,46 @@ def test_what_is_shared_counts_once_far_from_the_limit_too(run_python: RunPython
         assert least_mib < run_python(code, memory_mib=2000).memory_mib < most_mib
 
 
+def test_scratch_that_is_mapped_counts_once(run_walled: RunPython) -> None:
+    code = "import mmap, time\nf = open('/tmp/x', 'w+b')\nf.truncate(50 << 20)\n"
+    code += "m = mmap.mmap(f.fileno(), 50 << 20)\nm[:] = bytes(50 << 20)\ntime.sleep(0.3)"
+    assert run_walled(code, memory_mib=90).stopped is None
+    assert run_walled(code, memory_mib=50).stopped is Stop.MEMORY
+
+
+def seen(pid: int, resident_mib: float, place: str = "/nowhere") -> Process:
+    return Process(pid, "1", place, 0.0, 0.0, resident_mib, 100.0)
+
+
+def test_the_first_process_of_a_wall_counts_if_it_is_taken_over() -> None:
+    """A program may write to its memory: it belongs to the same user."""
+    program = seen(3, 50)
+    assert Memory({"/tmp": 1}).used_mib([seen(1, 3), seen(2, 3), program], 99) == 50
+    memory = Memory({"/tmp": 1})
+    memory._looks = 1  # what is shared was looked at just now
+    assert memory.used_mib([seen(1, 3), seen(2, 900), program], 2000) == 900
+    assert Memory({}).used_mib([program], 99) == 50
+
+
+def test_output_that_something_still_could_write_to_is_not_waited_for(tmp_path: Path) -> None:
+    """A descriptor under way in a socket stays open for as long as the kernel likes."""
+    out, held = os.pipe()
+    err, closed = os.pipe()
+    os.write(held, b"answer")
+    os.close(closed)
+    for fd in (out, err):
+        os.set_blocking(fd, False)
+    with (tmp_path / "out").open("wb") as file:
+        sink = Sink(out, err, file.fileno(), 1 << 20)
+        sink.drain()
+    os.close(held)
+    assert (tmp_path / "out").read_bytes() == b"answer"
+    assert (sink.open_fds, sink.written) == ([], 6)
+    for fd in (out, err):
+        with pytest.raises(OSError, match="Bad file"):
+            os.fstat(fd)
+
+
 def test_who_is_ending_holds_no_memory_any_more() -> None:
     """It cannot be asked what it shares; to count all of it would be unfair to many workers."""
     pid = os.fork()
@@ -211,9 +253,9 @@ def test_who_is_ending_holds_no_memory_any_more() -> None:
     assert alive is not None
     os.kill(pid, signal.SIGKILL)
     os.waitid(os.P_PID, pid, os.WEXITED | os.WNOWAIT)
-    assert (alive.resident_mib > 1, proportional_mib(alive)) == (True, 0.0)
+    assert (alive.resident_mib > 1, proportional_mib(alive, False)) == (True, 0.0)
     os.waitpid(pid, 0)
-    assert (look_at(pid), proportional_mib(alive)) == (None, 0.0)
+    assert (look_at(pid), proportional_mib(alive, False)) == (None, 0.0)
 
 
 def test_memory_is_seen_when_the_first_thread_has_ended() -> None:

@@ -47,6 +47,19 @@ ATTEMPTS = {
     "new mount": "print('yes' if libc.mount(b't', b'/tmp', b'tmpfs', 0, None) == 0 else '')",
     "trace": "print('yes' if libc.ptrace(16, os.getppid(), 0, 0) == 0 else '')",
     "hidden memory": "print(os.memfd_create('x'))",
+    "memory without a name": "import mmap; mmap.mmap(-1, 4096); print('mapped')",
+    "zeros as memory": "import mmap; f = open('/dev/zero', 'r+b', 0); mmap.mmap(f.fileno(), 9); "
+    "print('mapped')",
+    "memory in a pipe": "r, w = os.pipe(); b = ctypes.create_string_buffer(9); "
+    "v = (ctypes.c_void_p * 2)(ctypes.addressof(b), 9); "
+    "print('yes' if libc.vmsplice(w, v, 1, 0) > 0 else '')",
+    "memory in queues": "print('yes' if libc.inotify_init1(0) >= 0 else '')",
+    "larger sockets": "a, _ = socket.socketpair(); "
+    "a.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1 << 20); print('enlarged')",
+    "descriptors under way": "a, _ = socket.socketpair(); socket.send_fds(a, [b'x'], [0]); "
+    "print('sent')",
+    "a program that nobody may read": "open('/tmp/x', 'w'); os.chmod('/tmp/x', 0o111); "
+    "print('hidden')",
     "shared memory": "print('yes' if libc.shmget(0, 1 << 20, 0o600) >= 0 else '')",
     "raise a limit": "resource.setrlimit(resource.RLIMIT_NPROC, (999, 999)); print('raised')",
     "raise the stack": "resource.setrlimit(resource.RLIMIT_STACK, (1 << 40,) * 2); print('raised')",
@@ -151,14 +164,90 @@ def test_without_a_wall_unknown_code_is_refused(
     assert vouched.wall is None
 
 
-@pytest.mark.parametrize("machine", AUDIT_ARCH)
-def test_the_filter_is_well_formed(machine: str) -> None:
-    """Every jump stays inside, and every path ends in a return."""
-    program = list(struct.iter_unpack("<HBBI", filter_program(machine)))
-    for place, (code, if_true, if_false, _) in enumerate(program):
-        if code in (0x15, 0x35, 0x45):
-            assert place + 1 + max(if_true, if_false) < len(program)
-    assert program[-1][0] == 0x06
+ALLOWED, KILLED, DONE, NOT_PERMITTED, NO_SUCH_CALL = (
+    0x7FFF0000,
+    0x80000000,
+    0x50000,
+    0x50001,
+    0x50026,
+)
+# Number on x86_64 and on aarch64 (None: none there), arguments, and what the filter says.
+FILTERED = {
+    "read": ((0, 63), (), ALLOWED),
+    "mount": ((165, 40), (), NOT_PERMITTED),
+    "inotify_init": ((253, None), (), NOT_PERMITTED),
+    "inotify_init1": ((294, 26), (), NOT_PERMITTED),
+    "clone a thread": ((56, 220), (0x3D0F00,), ALLOWED),
+    "clone a namespace": ((56, 220), (0x10000011,), NOT_PERMITTED),
+    "clone3": ((435, 435), (), NO_SUCH_CALL),
+    "map memory": ((9, 222), (0, 4096, 3, 0x22), ALLOWED),
+    "map a shared file": ((9, 222), (0, 4096, 3, 0x01), ALLOWED),
+    "map shared memory": ((9, 222), (0, 4096, 3, 0x21), NOT_PERMITTED),
+    "map shared memory, validated": ((9, 222), (0, 4096, 3, 0x23), NOT_PERMITTED),
+    "ask a terminal": ((16, 29), (0, 0x5401), ALLOWED),
+    "type into a terminal": ((16, 29), (0, 0x5412), NOT_PERMITTED),
+    "type into a console": ((16, 29), (0, 0x541C), NOT_PERMITTED),
+    "chmod": ((90, None), (0, 0o755), ALLOWED),
+    "chmod to unreadable": ((90, None), (0, 0o111), NOT_PERMITTED),
+    "fchmod": ((91, 52), (3, 0o000), ALLOWED),
+    "fchmod to unreadable": ((91, 52), (3, 0o311), NOT_PERMITTED),
+    "fchmodat to unreadable": ((268, 53), (3, 0, 0o010), NOT_PERMITTED),
+    "fchmodat2 to unreadable": ((452, 452), (3, 0, 0o001), NOT_PERMITTED),
+    "creat": ((85, None), (0, 0o600), ALLOWED),
+    "creat unreadable": ((85, None), (0, 0o100), NOT_PERMITTED),
+    "mknod": ((133, None), (0, 0o010600), ALLOWED),
+    "mknodat unreadable": ((259, 33), (3, 0, 0o100311), NOT_PERMITTED),
+    "open to read": ((2, None), (0, 0, 0o111), ALLOWED),
+    "open to make": ((2, None), (0, 0x41, 0o700), ALLOWED),
+    "open to make unreadable": ((2, None), (0, 0x41, 0o111), NOT_PERMITTED),
+    "openat to read": ((257, 56), (3, 0, 0, 0o111), ALLOWED),
+    "openat to make unreadable": ((257, 56), (3, 0, 0x41, 0o111), NOT_PERMITTED),
+    "openat without a name": ((257, 56), (3, 0, 0x410001, 0o111), NOT_PERMITTED),
+    "umask": ((95, 166), (0o077,), ALLOWED),
+    "umask against reading": ((95, 166), (0o477,), NOT_PERMITTED),
+    "on SIGINT": ((13, 134), (2, 0x1000), ALLOWED),
+    "ask for SIGCHLD": ((13, 134), (17, 0), ALLOWED),
+    "on SIGCHLD": ((13, 134), (17, 0x1000), DONE),
+    "on SIGCHLD, high": ((13, 134), (17, 0x1000 << 32), DONE),
+}
+
+
+def filtered(program: bytes, architecture: int, number: int, arguments: tuple[int, ...]) -> int:
+    """Run a filter as the kernel would; return what it says. Jumps out of it raise IndexError."""
+    padded = (*arguments, *[0] * (6 - len(arguments)))
+    data = struct.pack("<iIQ6Q", number, architecture, 0, *padded)
+    code = list(struct.iter_unpack("<HBBI", program))
+    at = word = 0
+    while True:
+        operation, if_true, if_false, value = code[at]
+        at += 1
+        if operation == 0x06:
+            return value
+        if operation == 0x20:
+            (word,) = struct.unpack_from("<I", data, value)
+        else:
+            holds = {0x15: word == value, 0x35: word >= value, 0x45: word & value != 0}[operation]
+            at += if_true if holds else if_false
+
+
+@pytest.mark.parametrize("counted", [True, False])
+@pytest.mark.parametrize(("column", "machine"), list(enumerate(AUDIT_ARCH)))
+@pytest.mark.parametrize("name", FILTERED)
+def test_what_the_filter_says(name: str, column: int, machine: str, counted: bool) -> None:
+    numbers, arguments, says = FILTERED[name]
+    number = numbers[column]
+    if number is None:
+        return  # such a call is not there to be filtered
+    program = filter_program(machine, counted=counted)
+    expected = ALLOWED if counted and says == DONE else says
+    assert filtered(program, AUDIT_ARCH[machine], number, arguments) == expected
+    other = AUDIT_ARCH[list(AUDIT_ARCH)[1 - column]]
+    assert filtered(program, other, number, arguments) == KILLED
+
+
+def test_calls_of_other_kinds_are_refused() -> None:
+    program = filter_program("x86_64")
+    assert filtered(program, AUDIT_ARCH["x86_64"], 0x40000000, ()) == NOT_PERMITTED  # x32
     with pytest.raises(KeyError):
         filter_program("vax")
 
