@@ -49,13 +49,12 @@ def _read(tokens: list[str]) -> tuple[str, list[_Type]]:
     """Return the package, empty if there is none, and the top-level types, in one pass."""
     package, types = "", []
     depth = 0
-    statement: list[str] = []  # at the top level, since the last brace or semicolon
-    words: set[str] = set()  # anywhere, since the last sign
-    declared: _Type | None = None
+    statement: list[str] = []  # since the last brace or semicolon
+    words: set[str] = set()  # since the last sign but a dot
+    declared: _Type | None = None  # around all this
     last = before = ""
     for token in tokens:
-        is_name = token not in ".(){};="
-        if depth == 0 and declared is None and last in _KINDS and before != "." and is_name:
+        if declared is None and last in _KINDS and before != ".":
             declared = _Type(token, "public" in statement)
             types.append(declared)
         if token == "(" and (before, last) == ("void", "main") and "static" in words and declared:
@@ -69,7 +68,7 @@ def _read(tokens: list[str]) -> tuple[str, list[_Type]]:
             if token == ";" and statement[:1] == ["package"]:
                 package = "".join(statement[1:])
             statement = []
-        elif depth == 0:
+        else:
             statement.append(token)
         if token in "(){};=":
             words = set()

@@ -1,19 +1,26 @@
-"""Margins of the time limit, from made-up times."""
+"""Margins of the time limit, from made-up times; and how the times come about."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
-from judge.calibrate import Time, main, margins, written
+from judge.calibrate import Time, main, margins, measure, written
+from judge.cases import Case
+from judge.facts import RunLimits
 from judge.judging import JudgeError
+from judge.results import CaseResult
 from judge.spec import PROBLEM_FILE, load
 from judge.verdict import Verdict
 
 PROBLEM = load()
 ASKED = PROBLEM.limits.time_multipliers
+Measured = tuple[list[Time], list[tuple[str, float]]]
+Runs = Callable[..., Measured]
 
 
 def time(expected: Verdict, cpu_s: float) -> Time:
@@ -65,3 +72,140 @@ def test_only_the_two_figures_are_written(tmp_path: Path) -> None:
 def test_nothing_to_time(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--only", "no such submission"]) == 2
     assert "expected part of a name" in capsys.readouterr().err
+
+
+SLOW = "time_limit_exceeded/brute_force.cpp"
+
+
+@pytest.fixture
+def runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Runs:
+    """Runs by script: what is run, under which limits, ends as the script says."""
+    made: list[tuple[str, float]] = []
+
+    def run(script: dict[str, tuple[int, Verdict, float]], name: str = SLOW) -> Measured:
+        cases, told = [], []
+        for case, (size, _, _) in script.items():
+            path = tmp_path / case.replace("/", "-")
+            path.write_bytes(b"x" * size)
+            cases.append(Case(f"secret/{case}", case.partition("/")[0], path, path))
+
+        def run_case(_box: object, _command: object, limits: RunLimits, case: Case) -> CaseResult:
+            made.append((case.name, limits.time_limit_s))
+            _, verdict, cpu_s = script[case.name.removeprefix("secret/")]
+            return CaseResult(case, verdict, cpu_s, cpu_s, 1.0, "as the script says")
+
+        monkeypatch.setattr("judge.calibrate.run_case", run_case)
+        times = measure(name, PROBLEM, cases, None, told.append)  # type: ignore[arg-type] # not used
+        assert told == times
+        return times, made
+
+    program = SimpleNamespace(command=None)
+    monkeypatch.setattr("judge.calibrate.compile_submission", lambda *_: program)
+    return run
+
+
+def test_the_slowest_run_of_each_group_counts(runs: Runs) -> None:
+    times, made = runs(
+        {
+            "small/short": (1, Verdict.AC, 0.5),
+            "small/long": (9, Verdict.AC, 0.2),
+            "large/short": (2, Verdict.AC, 0.3),
+            "large/middle": (5, Verdict.TLE, 99.0),
+            "large/long": (8, Verdict.AC, 7.0),
+        }
+    )
+    assert times == [
+        Time(SLOW, "small", Verdict.AC, "secret/small/short", 0.5, False),
+        Time(SLOW, "large", Verdict.TLE, "secret/large/middle", 99.0, True),
+    ]
+    # The longest first, and none after one that was ended; twice what is asked of slow ones.
+    bound_s = 2 * PROBLEM.limits.time_limit_s * ASKED.time_limit_to_tle
+    names = ["small/long", "small/short", "large/long", "large/middle"]
+    assert made == [(f"secret/{name}", bound_s) for name in names]
+
+
+def test_what_may_be_wrong_or_slow_is_not_timed(runs: Runs) -> None:
+    either = {Verdict.WA, Verdict.TLE}
+    name, group = next(
+        (name, group)
+        for name in PROBLEM.submissions
+        for group in PROBLEM.group_names
+        if PROBLEM.expected(name, group) == either
+    )
+    assert runs({f"{group}/1": (1, Verdict.TLE, 99.0)}, name) == ([], [])
+
+
+@pytest.mark.parametrize(
+    ("group", "found", "expected"),
+    [("small", Verdict.TLE, "AC"), ("small", Verdict.WA, "AC"), ("large", Verdict.WA, "TLE")],
+)
+def test_another_verdict_is_an_error(runs: Runs, group: str, found: Verdict, expected: str) -> None:
+    message = rf"brute_force\.cpp: secret/{group}/1: expected {expected}, found {found} \(as the"
+    with pytest.raises(JudgeError, match=message):
+        runs({f"{group}/1": (1, found, 1.0)})
+
+
+@pytest.fixture
+def calibrate(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Callable[..., tuple[int, str, list[str]]]:
+    """The command line on a copy of problem.toml, where every slow program takes `slow_s`."""
+    copy = tmp_path / "problem.toml"
+    copy.write_bytes(PROBLEM_FILE.read_bytes())
+    monkeypatch.setattr("judge.calibrate.PROBLEM_FILE", copy)
+    monkeypatch.setattr("judge.calibrate.load", lambda: load(copy))
+    monkeypatch.setattr("judge.calibrate.check_built", lambda *_: None)
+    monkeypatch.setattr("judge.calibrate.reference_cpu_s", lambda *_: 0.31234)
+
+    def run(*arguments: str, slow_s: float) -> tuple[int, str, list[str]]:
+        def measured(name: str, *others: object) -> list[Time]:
+            slow = name.startswith("time_limit_exceeded/")
+            verdict, cpu_s = (Verdict.TLE, slow_s) if slow else (Verdict.AC, 2.6)
+            times = [Time(name, "large", verdict, "secret/large/01", cpu_s, slow)]
+            others[-1](times[0])  # type: ignore[operator] # it tells
+            return times
+
+        monkeypatch.setattr("judge.calibrate.measure", measured)
+        before = copy.read_text().splitlines()
+        status = main(arguments)
+        lines = zip(before, copy.read_text().splitlines(), strict=True)
+        return status, capsys.readouterr().out, [new for old, new in lines if old != new]
+
+    return run
+
+
+def test_a_limit_that_fits_is_written(calibrate) -> None:
+    status, said, changed = calibrate("--write", slow_s=9.0)
+    assert status == 0
+    assert [line.partition("#")[0].strip() for line in changed] == [
+        "time_limit_s = 5.5",
+        "reference_cpu_s = 0.31",
+    ]
+    assert "0.31 s of CPU time" in said
+    assert "AC     2.60 s  accepted/textbook.py  secret/large/01" in said
+    assert f"TLE ≥  9.00 s  {SLOW}  secret/large/01" in said
+    assert "wrong_answer" not in said
+    slowest, limit, fastest = (
+        next(line for line in said.splitlines() if line.strip().startswith(start) and "│" in line)
+        for start in ("slowest AC", "limit", "fastest TLE")
+    )
+    assert [cell.strip() for cell in slowest.split("│")[1:4]] == ["2.60", "1.92", "2.00"]
+    assert limit.split("│")[1].strip() == "5.00"
+    assert [cell.strip() for cell in fastest.split("│")[1:4]] == ["≥ 9.00", "≥ 1.80", "1.50"]
+    assert "time_limit_s = 5.5, reference_cpu_s = 0.31" in said
+
+
+def test_without_asking_nothing_is_written(calibrate) -> None:
+    status, said, changed = calibrate(slow_s=9.0)
+    assert (status, changed, "is written" in said) == (0, [], False)
+
+
+def test_a_part_is_never_written(calibrate) -> None:
+    status, said, changed = calibrate("--write", "--only", "textbook.py", slow_s=9.0)
+    assert (status, changed, SLOW in said) == (0, [], False)
+
+
+def test_where_no_limit_fits_nothing_is_written(calibrate) -> None:
+    status, said, changed = calibrate("--write", slow_s=6.0)
+    assert (status, changed) == (1, [])
+    assert "no limit keeps both margins" in said

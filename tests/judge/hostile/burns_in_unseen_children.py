@@ -1,4 +1,4 @@
-"""Burns time in children that nobody waits for, none long. Expect: TLE"""
+"""Burns time in children that nobody waits for, none long. Expect: TLE RTE"""
 
 import os
 import signal
