@@ -2,8 +2,8 @@
 
 What a contest program never needs and what widens the attack: mounting, new
 namespaces, tracing others, kernel keys, BPF, io_uring, memory that no process shows,
-sockets, the kernel's log, and typing into the terminal. Refused calls fail with EPERM, clone3 with
-ENOSYS so that libraries fall back to clone, whose flags can be seen.
+sockets, the kernel's log, and typing into the terminal. Refused calls fail with EPERM; those whose
+arguments cannot be seen with ENOSYS, so that libraries fall back to the older ones.
 
 Two more things would hide CPU time. A program that nobody may read loses its performance
 counter, so that nobody may make one. And children of who ignores SIGCHLD are not accounted: where
@@ -50,7 +50,6 @@ REFUSED: dict[str, tuple[int, int]] = {
     "lsetxattr": (189, 6),
     "fsetxattr": (190, 7),
     "setxattrat": (463, 463),
-    "openat2": (437, 437),  # its mode cannot be seen
     "unshare": (272, 97),
     "perf_event_open": (298, 241),
     "fanotify_init": (300, 262),
@@ -77,7 +76,8 @@ REFUSED: dict[str, tuple[int, int]] = {
     "mount_setattr": (442, 442),
     "memfd_secret": (447, 447),
 }
-CLONE, CLONE3, IOCTL, MMAP = (56, 220), (435, 435), (16, 29), (9, 222)
+UNSEEN = [(435, 435), (437, 437)]  # clone3, openat2: their arguments lie in memory
+CLONE, IOCTL, MMAP = (56, 220), (16, 29), (9, 222)
 SIGACTION, UMASK = (13, 134), (95, 166)
 # Calls that give a file its mode, and which argument that is.
 MODES = [
@@ -125,7 +125,8 @@ def filter_program(machine: str, *, counted: bool = True) -> bytes:
 
     for call in REFUSED.values():
         on(call, _fail(errno.EPERM))
-    on(CLONE3, _fail(errno.ENOSYS))
+    for call in UNSEEN:
+        on(call, _fail(errno.ENOSYS))
     on(CLONE, _load(0), (JUMP_SET, 0, 1, NAMESPACES), _fail(errno.EPERM), ALLOW)
     # What is shared and has no name stays when nothing of it is mapped any more.
     shared = (JUMP_SET, 0, 2, MAP_SHARED), (JUMP_SET, 0, 1, MAP_ANONYMOUS)

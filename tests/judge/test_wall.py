@@ -180,6 +180,7 @@ FILTERED = {
     "clone a thread": ((56, 220), (0x3D0F00,), ALLOWED),
     "clone a namespace": ((56, 220), (0x10000011,), NOT_PERMITTED),
     "clone3": ((435, 435), (), NO_SUCH_CALL),
+    "openat2": ((437, 437), (), NO_SUCH_CALL),
     "map memory": ((9, 222), (0, 4096, 3, 0x22), ALLOWED),
     "map a shared file": ((9, 222), (0, 4096, 3, 0x01), ALLOWED),
     "map shared memory": ((9, 222), (0, 4096, 3, 0x21), NOT_PERMITTED),
