@@ -5,16 +5,18 @@ from __future__ import annotations
 import ctypes
 import os
 import platform
+import time
 from collections.abc import Mapping, Sequence
 
 from judge.keeper.proc import EXITING, FLAGS, Process, fields, read
 
 INODE_BYTES = 1024  # of a memory file system, its name included; about
 WMEM_DEFAULT_BYTES = 212992  # of most kernels
-TABLES_MATTER_MIB = 4096.0  # of addresses; whoever has fewer has at most 8 MiB of tables
+FEW = 8  # processes, of which everything can be asked at every look
 WALL_PROCESSES = 2  # one outside, and the first within
 WALL_MIB = 8.0  # more than either has, unless the program has taken it over
-SHARED_EVERY = 10  # looks
+SHARED_EVERY_S, SHARED_AT_LEAST_EVERY_S = 0.2, 0.5
+SHARE_OF_TIME = 10.0  # a slow look every ten times as long as it takes
 KCMP, KCMP_VM = {"x86_64": 312, "aarch64": 272}, 1
 LIBC = ctypes.CDLL(None, use_errno=True)
 
@@ -28,28 +30,32 @@ class Memory:
 
     def __init__(self, scratch: Mapping[str, int]) -> None:
         self._scratch = scratch
-        self._looks = 0
+        self._shared_mib: dict[tuple[int, str], float] = {}  # at the last careful look
+        self._next_s = 0.0
 
     def used_mib(self, live: Sequence[Process], limit_mib: float) -> float:
         """Return the memory in use by all of `live`, parents first.
 
-        To find out what is shared is slow: it is done now and then, and whenever it decides.
-        Otherwise this is, for several processes, what there is at least.
+        To find out what several processes share is slow: it is done now and then, and when
+        what was shared last time does not explain it. Otherwise this is what there is at least.
         """
-        self._looks += 1
         walls = live[: WALL_PROCESSES if self._scratch else 0]
         own = [process for process in walls if process.resident_mib > WALL_MIB]
         own = [*own, *live[len(walls) :]] or list(live)
-        beyond_mib = self._held_mib(live) + _tables_mib(own)
-        resident_mib = [process.resident_mib for process in own]
-        several = len(own) > 1
-        if sum(resident_mib) + beyond_mib > limit_mib or (several and self._is_time()):
-            # Of scratch, what is mapped is held already.
-            return sum(proportional_mib(p, bool(self._scratch)) for p in distinct(own)) + beyond_mib
-        return (max(resident_mib) if several else sum(resident_mib)) + beyond_mib
-
-    def _is_time(self) -> bool:
-        return self._looks % SHARED_EVERY == 1
+        now_s = time.monotonic()
+        is_time = (len(own) > 1 or bool(self._shared_mib)) and now_s >= self._next_s
+        beyond_mib = self._held_mib(live)
+        if len(own) <= FEW or is_time:
+            beyond_mib += sum(map(tables_mib, own))
+        likely_mib = [p.resident_mib - self._shared_mib.get(p.name, 0.0) for p in own]
+        if sum(likely_mib) + beyond_mib <= limit_mib and not is_time:
+            return max(likely_mib, default=0.0) + beyond_mib
+        # Of scratch, what is mapped is held already.
+        exact_mib = {p.name: proportional_mib(p, bool(self._scratch)) for p in distinct(own)}
+        self._shared_mib = {p.name: p.resident_mib - exact_mib.get(p.name, 0.0) for p in own}
+        slow_s = SHARE_OF_TIME * (time.monotonic() - now_s)
+        self._next_s = now_s + min(max(slow_s, SHARED_EVERY_S), SHARED_AT_LEAST_EVERY_S)
+        return sum(exact_mib.values()) + beyond_mib
 
     def _held_mib(self, live: Sequence[Process]) -> float:
         """Return what file systems and sockets behind the wall hold, as whoever is there sees them.
@@ -107,11 +113,9 @@ def _same_memory(one: Process, other: Process) -> bool:
     return bool(LIBC.syscall(number, first, second, KCMP_VM, 0, 0) == 0)
 
 
-def _tables_mib(processes: Sequence[Process]) -> float:
+def tables_mib(process: Process) -> float:
     """Return the memory that only says where memory is: it may be more than the memory."""
-    if sum(process.mapped_mib for process in processes) < TABLES_MATTER_MIB:
-        return 0.0
-    lines = (line for p in processes for line in read(f"{p.place}/status").splitlines())
+    lines = read(f"{process.place}/status").splitlines()
     return sum(int(line.split()[1]) for line in lines if line.startswith("VmPTE:")) / 1024
 
 

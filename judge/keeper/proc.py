@@ -52,7 +52,7 @@ def threads_of(user: int) -> int:
 class Process(NamedTuple):
     """What one look at a live process showed.
 
-    pid, started: what names it. place: its directory in /proc, or that of a thread of
+    place: its directory in /proc, or that of a thread of
     it: a first thread that has ended shows none of the memory that the others hold.
     own_s, waited_s: CPU seconds, its own and of children it waited for. mapped_mib:
     addresses, used or not.
@@ -65,6 +65,11 @@ class Process(NamedTuple):
     waited_s: float
     resident_mib: float
     mapped_mib: float
+
+    @property
+    def name(self) -> tuple[int, str]:
+        """What no other process is called: a pid is used again, but not for one begun then."""
+        return self.pid, self.started
 
 
 def look_at(pid: int) -> Process | None:

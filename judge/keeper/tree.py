@@ -39,21 +39,26 @@ class Tree:
         self.largest_mib = 0.0  # of one reaped process, exact to the page
         self.status: dict[int, int] = {}
         self._reaped_s = 0.0
+        self._own_began_s = time.process_time()
         self._seen_s: dict[tuple[int, str], float] = {}
 
     def sample(self, memory_limit_mib: float) -> None:
         """Look at every live process once."""
         live = [process for process in map(look_at, descendants()) if process is not None]
         accounted_s = self._reaped_s + sum(process.own_s + process.waited_s for process in live)
-        self._seen_s.update({(process.pid, process.started): process.own_s for process in live})
+        self._seen_s.update({process.name: process.own_s for process in live})
         self.processes = len(live)
         self.memory_mib = max(self.memory_mib, self._memory.used_mib(live, memory_limit_mib))
         self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()), self._counted_s())
 
     def starved_s(self) -> float:
-        """Return how long a live process was ready to run while others had the processors."""
+        """Return how long a live process was ready to run while others had the processors.
+
+        The keeper is not one of them: it has what to do, however much, from the program.
+        """
         stats = [read(f"/proc/{pid}/schedstat").split() for pid in descendants()]
-        return max((int(stat[1]) / 1e9 for stat in stats if stat), default=0.0)
+        ready_s = max((int(stat[1]) / 1e9 for stat in stats if stat), default=0.0)
+        return ready_s - (time.process_time() - self._own_began_s)
 
     def end(self) -> None:
         """Kill and reap everything; when it returns, no child is left. Raises TimeoutError."""

@@ -18,6 +18,7 @@ from judge.keeper.clock import Clock
 from judge.keeper.memory import Memory, proportional_mib
 from judge.keeper.pipes import Sink
 from judge.keeper.proc import STATE, Process, fields, look_at
+from judge.keeper.tree import Tree
 from judge.keeper.wall import NOBODY
 from judge.sandbox import Command, Sandbox, SandboxError
 
@@ -219,7 +220,7 @@ def test_the_first_process_of_a_wall_counts_if_it_is_taken_over() -> None:
     program = seen(3, 50)
     assert Memory({"/tmp": 1}).used_mib([seen(1, 3), seen(2, 3), program], 99) == 50
     memory = Memory({"/tmp": 1})
-    memory._looks = 1  # what is shared was looked at just now
+    memory._next_s = time.monotonic() + 60  # what is shared was looked at just now
     assert memory.used_mib([seen(1, 3), seen(2, 900), program], 2000) == 900
     assert Memory({}).used_mib([program], 99) == 50
 
@@ -445,3 +446,36 @@ def test_a_keeper_killed_at_its_start_leaves_no_directory(
     with pytest.raises(SandboxError, match="the keeper of the run was lost"):
         Sandbox()
     assert list(tmp_path.iterdir()) == []
+
+
+def test_what_the_keeper_takes_starves_nobody(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A program that gives it much to look at would wait for it on the same processor."""
+    tree = Tree({})
+    ready_ns = int(9e9)
+    monkeypatch.setattr("judge.keeper.tree.descendants", lambda: [1, 2])
+    monkeypatch.setattr("judge.keeper.tree.read", lambda _path: f"1 {ready_ns} 1")
+    assert 8.5 < tree.starved_s() <= 9.0
+    while time.process_time() - tree._own_began_s < 0.2:
+        pass
+    assert 8.3 < tree.starved_s() <= 8.8
+
+
+def test_what_was_shared_explains_memory_until_it_is_looked_at_again(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    exact_mib = {1: 50.0, 2: 10.0, 3: 400.0}
+    looked: list[int] = []
+
+    def exact(process: Process, _without_scratch: bool) -> float:
+        looked.append(process.pid)
+        return exact_mib[process.pid]
+
+    monkeypatch.setattr("judge.keeper.memory.proportional_mib", exact)
+    monkeypatch.setattr("judge.keeper.memory.distinct", list)
+    memory = Memory({})
+    pair = [seen(1, 300), seen(2, 300)]
+    assert (memory.used_mib(pair, 500), looked) == (60.0, [1, 2])
+    assert (memory.used_mib(pair, 500), looked) == (50.0, [1, 2])  # at least; no second look
+    assert (memory.used_mib([*pair, seen(3, 450)], 500), looked[2:]) == (460.0, [1, 2, 3])
+    memory._next_s = 0.0
+    assert (memory.used_mib(pair[:1], 500), looked[5:]) == (50.0, [1])
