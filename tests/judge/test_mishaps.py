@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -180,3 +181,15 @@ def test_a_byte_order_mark_is_no_part_of_the_source() -> None:
     submission = from_source(b"\xef\xbb\xbf#!/usr/bin/env node\nconsole.log(1)\n", "stdin")
     assert submission.language.name == "JavaScript"
     assert submission.source.startswith(b"#!")
+
+
+@pytest.mark.parametrize(
+    "unit", ["\n", " \t", "public ", "static ", "class A {", "/* ", '"\\', "'\\", "from a.a.a"]
+)
+def test_long_sources_are_read_in_linear_time(unit: str) -> None:
+    """Where it was quadratic it took minutes; it takes a tenth of a second."""
+    text = "class A {" + unit * ((128 << 10) // len(unit)) + "x"
+    began = time.process_time()
+    java_names(text)
+    guess(text)
+    assert time.process_time() - began < 10
