@@ -14,6 +14,8 @@ import time
 from pathlib import Path
 from typing import Any
 
+from judge.keeper.proc import read
+
 CONTROLLERS = ("memory", "pids")
 LEAF = "collision-course"
 END_TIMEOUT_S = 2.0
@@ -44,7 +46,7 @@ class Groups:
             if self._moved:
                 self._pass_on_controllers("+")
         if self.directory is not None:
-            passed_on = _read(self.directory / "cgroup.subtree_control").split()
+            passed_on = read(self.directory / "cgroup.subtree_control").split()
             self._limits = any(name in passed_on for name in CONTROLLERS)
 
     def request(self, name: str) -> dict[str, Any] | None:
@@ -87,7 +89,7 @@ class Groups:
 
     def _alone(self) -> bool:
         assert self.directory is not None
-        processes = _read(self.directory / "cgroup.procs").split()
+        processes = read(self.directory / "cgroup.procs").split()
         return processes == [str(os.getpid())]
 
     def _move(self, target: Path) -> bool:
@@ -99,17 +101,10 @@ class Groups:
         return True
 
 
-def _read(file: Path) -> str:
-    try:
-        return file.read_text()
-    except OSError:
-        return ""
-
-
 def _own_group(process: Path) -> Path | None:
     """Return the directory of the process's group in cgroup v2, None if it is not mounted."""
-    mounts = _read(process / "mountinfo").splitlines()
-    groups = _read(process / "cgroup").splitlines()
+    mounts = read(process / "mountinfo").splitlines()
+    groups = read(process / "cgroup").splitlines()
     own = [line.removeprefix("0::") for line in groups if line.startswith("0::")]
     for mount in mounts:
         before, _, after = mount.partition(" - ")

@@ -8,10 +8,10 @@ Source: perf_event_open(2).
 
 from __future__ import annotations
 
-import ctypes
 import os
-import platform
 import struct
+
+from judge.keeper.libc import system_call
 
 SYSTEM_CALL = {"x86_64": 298, "aarch64": 241}
 ATTRIBUTES_BYTES = 112
@@ -19,7 +19,6 @@ TYPE_SOFTWARE, TASK_CLOCK_NS = 1, 1
 INHERIT, EXCLUDE_KERNEL, EXCLUDE_HYPERVISOR = 1 << 1, 1 << 5, 1 << 6  # a clock counts all three
 FLAGS_OFFSET = 40
 CLOSE_ON_EXEC = 8
-LIBC = ctypes.CDLL(None, use_errno=True)
 
 
 class Clock:
@@ -30,11 +29,7 @@ class Clock:
         struct.pack_into("<IIQ", attributes, 0, TYPE_SOFTWARE, ATTRIBUTES_BYTES, TASK_CLOCK_NS)
         flags = INHERIT | EXCLUDE_KERNEL | EXCLUDE_HYPERVISOR
         struct.pack_into("<Q", attributes, FLAGS_OFFSET, flags)
-        number = SYSTEM_CALL.get(platform.machine())
-        self._fd = -1
-        if number is not None:
-            told = bytes(attributes)
-            self._fd = LIBC.syscall(number, told, pid, -1, -1, CLOSE_ON_EXEC)
+        self._fd = system_call(SYSTEM_CALL, bytes(attributes), pid, -1, -1, CLOSE_ON_EXEC)
 
     @property
     def granted(self) -> bool:

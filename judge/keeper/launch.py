@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 import os
 import resource
 import signal
@@ -10,13 +9,13 @@ from typing import Any, NamedTuple
 
 from judge.keeper.clock import Clock
 from judge.keeper.group import Group
+from judge.keeper.libc import LIBC
 from judge.keeper.proc import threads_of
 from judge.keeper.wall import NOBODY, STARTED, drop, walled
 
 PR_SET_PDEATHSIG = 1
 SHARED_PROCESSES = 4096
 OPEN_FILES = 512
-LIBC = ctypes.CDLL(None, use_errno=True)
 
 
 class LaunchError(Exception):

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import ctypes
 import os
-import platform
 import time
 from collections.abc import Mapping, Sequence
 
+from judge.keeper.libc import system_call
 from judge.keeper.proc import EXITING, FLAGS, Process, fields, read
 
 INODE_BYTES = 1024  # of a memory file system, its name included; about
@@ -18,7 +17,6 @@ WALL_MIB = 8.0  # more than either has, unless the program has taken it over
 SHARED_EVERY_S, SHARED_AT_LEAST_EVERY_S = 0.2, 0.5
 SHARE_OF_TIME = 10.0  # a slow look every ten times as long as it takes
 KCMP, KCMP_VM = {"x86_64": 312, "aarch64": 272}, 1
-LIBC = ctypes.CDLL(None, use_errno=True)
 
 
 class Memory:
@@ -63,21 +61,26 @@ class Memory:
         A file system of another size is not ours: the wall is not built to its end yet, and
         the process still sees this machine's own.
         """
-        for process in live if self._scratch else ():
-            held = 0
-            for place, size in self._scratch.items():
-                try:
-                    seen = os.statvfs(f"{process.place}/root{place}")
-                except OSError:
-                    break
-                if seen.f_blocks * seen.f_frsize != size:
-                    break
-                held += (seen.f_blocks - seen.f_bfree) * seen.f_frsize
-                held += (seen.f_files - seen.f_ffree) * INODE_BYTES
-            else:
-                sockets = read(f"{process.place}/net/sockstat").split()  # sockets: used 8 ...
-                return (held + (int(sockets[2]) * _socket_bytes() if sockets else 0)) / 2**20
-        return 0.0
+        if not self._scratch:
+            return 0.0
+        held = (self._held_bytes(process) for process in live)
+        return next((found for found in held if found is not None), 0) / 2**20
+
+    def _held_bytes(self, process: Process) -> int | None:
+        """Return what `process` sees of it, None if it does not see all that is ours."""
+        held = 0
+        for place, size in self._scratch.items():
+            try:
+                seen = os.statvfs(f"{process.place}/root{place}")
+            except OSError:
+                return None
+            if seen.f_blocks * seen.f_frsize != size:
+                return None
+            held += (seen.f_blocks - seen.f_bfree) * seen.f_frsize
+            held += (seen.f_files - seen.f_ffree) * INODE_BYTES
+        sockets = read(f"{process.place}/net/sockstat").split()  # sockets: used 8 ...
+        many = int(sockets[2]) if sockets else 0
+        return held + (many * _socket_bytes() if many else 0)
 
 
 def proportional_mib(process: Process, without_scratch: bool) -> float:
@@ -106,11 +109,8 @@ def distinct(processes: Sequence[Process]) -> list[Process]:
 
 def _same_memory(one: Process, other: Process) -> bool:
     """Source: kcmp(2). Where the kernel does not tell, they are not the same."""
-    number = KCMP.get(platform.machine())
-    if number is None:
-        return False
     first, second = (int(process.place.rpartition("/")[2]) for process in (one, other))
-    return bool(LIBC.syscall(number, first, second, KCMP_VM, 0, 0) == 0)
+    return system_call(KCMP, first, second, KCMP_VM, 0, 0) == 0
 
 
 def tables_mib(process: Process) -> float:

@@ -52,8 +52,8 @@ def threads_of(user: int) -> int:
 class Process(NamedTuple):
     """What one look at a live process showed.
 
-    place: its directory in /proc, or that of a thread of
-    it: a first thread that has ended shows none of the memory that the others hold.
+    place: its directory in /proc, or that of a thread of it: a first thread that has
+    ended shows none of the memory that the others hold.
     own_s, waited_s: CPU seconds, its own and of children it waited for. mapped_mib:
     addresses, used or not.
     """
@@ -99,8 +99,8 @@ def fields(place: str) -> list[str]:
     return read(f"{place}/stat").rpartition(")")[2].split()
 
 
-def read(path: str) -> str:
-    """Return the text of a file of /proc; empty if the process is gone."""
+def read(path: str | Path) -> str:
+    """Return the text of a file of /proc, or of control groups; empty if what it shows is gone."""
     try:
         with Path(path).open("rb", buffering=0) as file:
             return file.read().decode("latin-1")

@@ -17,7 +17,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from judge.keeper.launch import LIBC, LaunchError
+from judge.keeper.launch import LaunchError
+from judge.keeper.libc import LIBC
 from judge.keeper.watch import CONTROL, JudgeGoneError, run
 
 PR_SET_CHILD_SUBREAPER = 36

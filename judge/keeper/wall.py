@@ -13,6 +13,8 @@ import os
 from pathlib import Path
 from typing import Any
 
+from judge.keeper.libc import LIBC
+
 NOBODY = 65534
 CLONE_NEWNS = 0x20000
 MS_BIND, MS_REC, MS_PRIVATE, MS_NOSUID, MS_NODEV = 0x1000, 0x4000, 0x40000, 2, 4
@@ -68,14 +70,13 @@ def open_to_all(path: str) -> bool:
 
 def stage(sources: list[str]) -> list[str]:
     """Bind each of `sources` below STAGE, in a new mount namespace; return the new paths."""
-    libc = ctypes.CDLL(None, use_errno=True)
 
     def mount(source: str, target: str, kind: str, flags: int) -> None:
-        if libc.mount(source.encode(), target.encode(), kind.encode(), flags, None):
+        if LIBC.mount(source.encode(), target.encode(), kind.encode(), flags, None):
             error = ctypes.get_errno()
             raise OSError(error, f"mount {source}: {os.strerror(error)}")
 
-    if libc.unshare(CLONE_NEWNS):
+    if LIBC.unshare(CLONE_NEWNS):
         error = ctypes.get_errno()
         raise OSError(error, f"unshare: {os.strerror(error)}")
     mount("none", "/", "", MS_REC | MS_PRIVATE)

@@ -211,8 +211,8 @@ def test_scratch_that_is_mapped_counts_once(run_walled: RunPython) -> None:
     assert run_walled(code, memory_mib=50).stopped is Stop.MEMORY
 
 
-def seen(pid: int, resident_mib: float, place: str = "/nowhere") -> Process:
-    return Process(pid, "1", place, 0.0, 0.0, resident_mib, 100.0)
+def seen(pid: int, resident_mib: float) -> Process:
+    return Process(pid, "1", "/nowhere", 0.0, 0.0, resident_mib, 100.0)
 
 
 def test_the_first_process_of_a_wall_counts_if_it_is_taken_over() -> None:
