@@ -15,7 +15,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from judge.spec import ROOT
+from judge.kit.paths import ROOT
 
 READER = "import sys; list(map(int, sys.stdin.buffer.read().split()))"
 

@@ -20,12 +20,13 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from judge.judging import Options, default_jobs, judge, machine_scale
-from judge.probe import probe
+from judge.kit.paths import ROOT
+from judge.languages.submission import Submission, read_submission
+from judge.problem.declaration import Problem, load
+from judge.problem.verdict import Verdict
 from judge.results import Judging
-from judge.sandbox import Sandbox
-from judge.spec import ROOT, Problem, load
-from judge.submission import Submission, read_submission
-from judge.verdict import Verdict
+from judge.sandbox.probe import probe
+from judge.sandbox.sandbox import Sandbox
 
 QUIET_RUNS = 3
 QUIET_LIMIT_S = 100.0

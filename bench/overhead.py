@@ -13,9 +13,9 @@ import sys
 import time
 from collections.abc import Callable
 
-from judge.facts import RunLimits
-from judge.probe import probe
-from judge.sandbox import Command, Sandbox
+from judge.sandbox.facts import RunLimits
+from judge.sandbox.probe import probe
+from judge.sandbox.sandbox import Command, Sandbox
 
 PROGRAM = "/bin/true"
 LIMITS = RunLimits(time_limit_s=5.0, memory_mib=256, output_mib=1)

@@ -7,8 +7,9 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from gen.plan import ROOT
 from gen.scenario import Scenario
+from judge.kit.errors import KitError
+from judge.kit.paths import ROOT
 
 REFERENCE = ROOT / "solution.py"
 BRUTE_FORCE = ROOT / "brute.py"
@@ -20,11 +21,11 @@ _BRUTE_EDGE_PAIRS = 3_000_000  # a few seconds
 _TEXTBOOK_STEPS = 1_500_000
 
 
-class AnswerError(Exception):
+class AnswerError(KitError):
     """A method failed, or wrote something that is no answer; one clear line."""
 
 
-class DisagreementError(Exception):
+class DisagreementError(KitError):
     """Two methods disagree on a case; one clear line."""
 
 

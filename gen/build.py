@@ -15,16 +15,18 @@ from gen.answers import AnswerError, DisagreementError, agreed
 from gen.families import FamilyError, find
 from gen.manifest import Entry
 from gen.parse import parse
-from gen.plan import HAND_MADE, ROOT, Case
+from gen.plan import HAND_MADE, Case
 from gen.scenario import Scenario, render
 from gen.seeds import derive
 from gen.validator import InputError, load_rules, validate
-from judge.files import write_whole
+from judge.kit.errors import KitError
+from judge.kit.files import write_whole
+from judge.kit.paths import ROOT
 
 DISAGREEMENTS = ROOT / "build" / "disagreements"
 
 
-class BuildError(Exception):
+class BuildError(KitError):
     """A case cannot be built, or is not what the manifest says; one clear line."""
 
 

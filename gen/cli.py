@@ -19,17 +19,19 @@ from gen.build import BuildError, build_cases, is_current, render_family
 from gen.check import check_data, check_file
 from gen.families import FAMILIES, FamilyError, Parameters, find
 from gen.manifest import Entry, ManifestError
-from gen.plan import DATA, USER_CASES, Case, PlanError, all_cases, user_case_entry
+from gen.plan import USER_CASES, Case, PlanError, all_cases, user_case_entry
 from gen.validator import UsageError, load_rules
-from judge.command import run
-from judge.files import write_whole
-from judge.spec import SpecError, load
+from judge.kit.command import run
+from judge.kit.errors import KitError
+from judge.kit.files import write_whole
+from judge.kit.paths import DATA
+from judge.problem.declaration import SpecError, load
 
 OK, NOT_OK = 0, 1
 _NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,60}")
 
 
-class CommandError(Exception):
+class CommandError(KitError):
     """The command makes no sense as given; one clear line."""
 
 

@@ -8,12 +8,13 @@ from pathlib import Path
 
 import msgspec
 
-from judge.files import write_whole
+from judge.kit.errors import KitError
+from judge.kit.files import write_whole
 
 FILE = "manifest.json"
 
 
-class ManifestError(Exception):
+class ManifestError(KitError):
     """The manifest cannot be used; one clear line."""
 
 

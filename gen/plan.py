@@ -6,8 +6,9 @@ import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-DATA = ROOT / "data"
+from judge.kit.errors import KitError
+from judge.kit.paths import DATA
+
 USER_CASES = "cases.toml"  # below data/: cases that users added, kept by every build
 
 Parameters = dict[str, int | str]
@@ -15,7 +16,7 @@ Parameters = dict[str, int | str]
 HAND_MADE = ""  # stands for the family of a case whose .in is written by hand
 
 
-class PlanError(Exception):
+class PlanError(KitError):
     """The list of added cases cannot be used; one clear line."""
 
 

@@ -20,18 +20,19 @@ from functools import partial
 from rich.console import Console
 from rich.table import Table
 
-from judge.cases import DATA, Case, CasesError, check_built, find_cases
-from judge.command import run
-from judge.facts import RunLimits
-from judge.files import write_whole
 from judge.judging import JudgeError, reference_cpu_s
-from judge.languages import LanguageError
-from judge.probe import probe
-from judge.runs import run_case
-from judge.sandbox import Sandbox, SandboxError
-from judge.spec import PROBLEM_FILE, ROOT, Problem, SpecError, load
-from judge.submission import CompileError, compile_submission, read_submission
-from judge.verdict import Verdict
+from judge.kit.command import run
+from judge.kit.files import write_whole
+from judge.kit.paths import DATA, PROBLEM_FILE, ROOT
+from judge.languages.submission import CompileError, compile_submission, read_submission
+from judge.languages.table import LanguageError
+from judge.pool import run_case
+from judge.problem.cases import Case, CasesError, check_built, find_cases
+from judge.problem.declaration import Problem, SpecError, load
+from judge.problem.verdict import Verdict
+from judge.sandbox.facts import RunLimits
+from judge.sandbox.probe import probe
+from judge.sandbox.sandbox import Sandbox, SandboxError
 
 BOUND_FACTOR = 2.0
 REFERENCE_RUNS = 5

@@ -13,25 +13,26 @@ from pathlib import Path
 
 from rich.console import Console
 
-from judge.cases import DATA, CasesError
-from judge.command import complain, give_up
-from judge.files import write_whole
 from judge.judging import JudgeError, Options, default_jobs, judge
-from judge.junit import to_junit
-from judge.languages import LanguageError, by_name
-from judge.report import Live, print_report
-from judge.sandbox import SandboxError
-from judge.schema import to_json
-from judge.spec import SpecError, load
-from judge.submission import (
+from judge.kit.command import complain, give_up
+from judge.kit.files import write_whole
+from judge.kit.paths import DATA
+from judge.kit.text import printable_name
+from judge.languages.submission import (
     Submission,
     SubmissionError,
     from_source,
     read_source,
     read_submission,
 )
-from judge.text import printable_name
-from judge.verdict import Verdict
+from judge.languages.table import LanguageError, by_name
+from judge.problem.cases import CasesError
+from judge.problem.declaration import SpecError, load
+from judge.problem.verdict import Verdict
+from judge.reports.junit import to_junit
+from judge.reports.schema import to_json
+from judge.reports.terminal import Live, print_report
+from judge.sandbox.sandbox import SandboxError
 
 EXIT_ACCEPTED, EXIT_REJECTED, EXIT_ERROR, EXIT_INTERRUPTED = 0, 1, 2, 130
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import BinaryIO
 
-from judge.text import printable
+from judge.kit.text import printable
 
 BLOCK_BYTES = 1 << 16
 

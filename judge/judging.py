@@ -8,18 +8,20 @@ from concurrent.futures import Executor, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from judge.cases import DATA, Case, check_built, find_cases, select
-from judge.facts import RunLimits
-from judge.manifest import check_complete, check_sums, load_manifest
-from judge.probe import probe
+from judge.kit.errors import KitError
+from judge.kit.paths import DATA, ROOT
+from judge.kit.text import printable_name
+from judge.languages.submission import CompileError, Submission, compile_submission, read_submission
+from judge.pool import Runs, run_case
+from judge.problem.cases import Case, check_built, find_cases, select
+from judge.problem.declaration import Problem
+from judge.problem.manifest import check_complete, check_sums, load_manifest
+from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging, first_failure, group_results, not_run
-from judge.runs import Runs, run_case
-from judge.sandbox import Sandbox
-from judge.spec import ROOT, Problem
-from judge.submission import CompileError, Submission, compile_submission, read_submission
-from judge.text import printable_name
-from judge.verdict import Verdict
-from judge.wall import Wall
+from judge.sandbox.facts import RunLimits
+from judge.sandbox.probe import probe
+from judge.sandbox.sandbox import Sandbox
+from judge.sandbox.wall import Wall
 
 REFERENCE = ROOT / "solution.py"
 SUBMISSIONS = ROOT / "submissions"
@@ -27,7 +29,7 @@ CALIBRATION_LIMIT_FACTOR = 100.0  # a machine slower than this is out of order
 SCALE_RUNS = 3
 
 
-class JudgeError(Exception):
+class JudgeError(KitError):
     """The judge cannot judge; one clear line."""
 
 

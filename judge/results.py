@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from judge.cases import Case
-from judge.spec import Problem
-from judge.verdict import Verdict
+from judge.problem.cases import Case
+from judge.problem.declaration import Problem
+from judge.problem.verdict import Verdict
 
 NOT_RUN = "not run"
 

@@ -6,9 +6,9 @@ import argparse
 import sys
 from pathlib import Path
 
-from judge.command import run
-from judge.files import write_whole
-from judge.spec import ROOT
+from judge.kit.command import run
+from judge.kit.files import write_whole
+from judge.kit.paths import ROOT
 from pictures.draw import picture
 from pictures.read import ReadError, read_scenarios
 

@@ -8,9 +8,10 @@ from pathlib import Path
 from gen.parse import parse
 from gen.scenario import Scenario
 from gen.validator import InputError, UsageError, load_rules, validate
+from judge.kit.errors import KitError
 
 
-class ReadError(Exception):
+class ReadError(KitError):
     """The file is no input file of this problem; the message says which and what to do."""
 
 

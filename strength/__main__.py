@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from judge.command import run
+from judge.kit.command import run
 from strength import matrix_cli, mutation_cli
 
 

@@ -9,8 +9,8 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from judge.spec import Problem
-from judge.verdict import Verdict
+from judge.problem.declaration import Problem
+from judge.problem.verdict import Verdict
 from strength.table import Matrix, Row
 
 FEWEST_KILLS = 3  # one case may be lost or changed, and luck may pass another

@@ -14,9 +14,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from gen.rng import Rng
-from judge.cases import Case
-from judge.spec import ROOT, Problem
-from judge.verdict import Verdict
+from judge.kit.errors import KitError
+from judge.kit.paths import ROOT
+from judge.problem.cases import Case
+from judge.problem.declaration import Problem
+from judge.problem.verdict import Verdict
 from strength.equivalents import Entry, entry_of, unused
 from strength.mutate import Mutant, mutants
 from strength.trial import Kill, Trial, first_kill
@@ -29,7 +31,7 @@ SUBMISSIONS = "submissions/"
 ACCEPTED = "accepted/"
 
 
-class CampaignError(Exception):
+class CampaignError(KitError):
     """Nothing can be learnt: an unchanged program fails; one clear line."""
 
 

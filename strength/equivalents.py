@@ -9,6 +9,7 @@ from typing import Annotated
 
 import msgspec
 
+from judge.kit.errors import KitError
 from strength.mutate import Mutant
 
 FILE = Path(__file__).with_name("equivalent.toml")
@@ -17,7 +18,7 @@ ANY = "*"
 Words = Annotated[str, msgspec.Meta(min_length=1)]
 
 
-class EquivalentsError(Exception):
+class EquivalentsError(KitError):
     """The list cannot be used; one clear line."""
 
 

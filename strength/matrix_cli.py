@@ -13,15 +13,17 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from gen.manifest import ManifestError
 from gen.manifest import load as load_generated
-from judge.cases import DATA, CasesError, check_built, find_cases, select
-from judge.facts import RunLimits
-from judge.files import write_whole
 from judge.judging import JudgeError, machine_scale
-from judge.languages import LanguageError
-from judge.manifest import check_complete, check_sums, load_manifest
-from judge.sandbox import Sandbox, SandboxError
-from judge.spec import Problem, SpecError, did_you_mean, load
-from judge.submission import SubmissionError
+from judge.kit.files import write_whole
+from judge.kit.paths import DATA
+from judge.kit.text import did_you_mean
+from judge.languages.submission import SubmissionError
+from judge.languages.table import LanguageError
+from judge.problem.cases import CasesError, check_built, find_cases, select
+from judge.problem.declaration import Problem, SpecError, load
+from judge.problem.manifest import check_complete, check_sums, load_manifest
+from judge.sandbox.facts import RunLimits
+from judge.sandbox.sandbox import Sandbox, SandboxError
 from strength.analysis import Analysis, analyse
 from strength.page import page
 from strength.show import as_json, print_cases, print_findings, print_groups

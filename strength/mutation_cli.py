@@ -16,10 +16,11 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 from rich.table import Table
 from rich.text import Text
 
-from judge.cases import DATA, CasesError, check_built, find_cases, group_of
-from judge.files import write_whole
-from judge.manifest import check_sums, load_manifest
-from judge.spec import SpecError, load
+from judge.kit.files import write_whole
+from judge.kit.paths import DATA
+from judge.problem.cases import CasesError, check_built, find_cases, group_of
+from judge.problem.declaration import SpecError, load
+from judge.problem.manifest import check_sums, load_manifest
 from strength import equivalents
 from strength.campaign import Campaign, CampaignError, Finding, plan_for, programs, run
 

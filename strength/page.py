@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from html import escape
 
-from judge.verdict import Verdict
+from judge.problem.verdict import Verdict
 from strength.analysis import Analysis
 from strength.show import HAND_MADE, LETTERS, cell_text, family_text
 from strength.table import Matrix

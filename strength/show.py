@@ -7,7 +7,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from judge.verdict import Verdict
+from judge.problem.verdict import Verdict
 from strength.analysis import Analysis, GroupCell
 from strength.table import Matrix
 

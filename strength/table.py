@@ -10,14 +10,15 @@ from pathlib import Path
 
 import msgspec
 
-from judge.cases import Case
-from judge.facts import RunLimits
-from judge.files import write_whole
-from judge.runs import run_case
-from judge.sandbox import Command, Sandbox
-from judge.spec import ROOT, Problem
-from judge.submission import CompileError, Submission, compile_submission, read_submission
-from judge.verdict import Verdict
+from judge.kit.files import write_whole
+from judge.kit.paths import ROOT
+from judge.languages.submission import CompileError, Submission, compile_submission, read_submission
+from judge.pool import run_case
+from judge.problem.cases import Case
+from judge.problem.declaration import Problem
+from judge.problem.verdict import Verdict
+from judge.sandbox.facts import RunLimits
+from judge.sandbox.sandbox import Command, Sandbox
 
 CACHE = ROOT / "build" / "strength"
 

@@ -20,7 +20,7 @@ from types import CodeType
 from typing import NoReturn
 
 from judge.compare import compare
-from judge.verdict import Verdict
+from judge.problem.verdict import Verdict
 
 _WALL_FACTOR = 20  # a busy machine may keep a child waiting this many times its CPU limit
 _MARKS = {b"W": Verdict.WA, b"R": Verdict.RTE}

@@ -20,10 +20,10 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
 
 from gen.scenario import Scenario
-from judge.command import run
-from judge.languages import LanguageError
-from judge.sandbox import Sandbox, SandboxError
-from judge.spec import SpecError, load
+from judge.kit.command import run
+from judge.languages.table import LanguageError
+from judge.problem.declaration import SpecError, load
+from judge.sandbox.sandbox import Sandbox, SandboxError
 from stress.agree import SOLVERS, Disagreement, SolverError, compare, keep
 from stress.complete import WORLDS, World, compare_world, compiled, size
 from stress.worlds import random_scenarios, small_world

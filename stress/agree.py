@@ -13,7 +13,8 @@ from itertools import islice
 from pathlib import Path
 
 from gen.scenario import Scenario, render
-from judge.spec import ROOT
+from judge.kit.errors import KitError
+from judge.kit.paths import ROOT
 
 BATCH = 20_000  # scenarios in one file: well below every limit for tiny ones
 TIME_LIMIT_S = 600
@@ -26,7 +27,7 @@ SOLVERS = (
 )
 
 
-class SolverError(Exception):
+class SolverError(KitError):
     """A solver failed, or answered nonsense; the message says which and how."""
 
 

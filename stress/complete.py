@@ -15,9 +15,10 @@ from itertools import islice
 from pathlib import Path
 
 from gen.parse import parse
-from judge.sandbox import Sandbox
-from judge.spec import ROOT, Problem
-from judge.submission import CompileError, compile_submission, read_submission
+from judge.kit.paths import ROOT
+from judge.languages.submission import CompileError, compile_submission, read_submission
+from judge.problem.declaration import Problem
+from judge.sandbox.sandbox import Sandbox
 from stress.agree import SOLVERS, Disagreement, SolverError
 
 MAKER = ROOT / "stress" / "world.cpp"

@@ -4,12 +4,13 @@ import re
 
 import pytest
 
-from judge import spec
+from judge.kit.paths import ROOT
+from judge.problem import declaration
 from pictures.__main__ import sample_figures
 
-STATEMENT = (spec.ROOT / "problem.md").read_text()
-PROBLEM = spec.load()
-SAMPLES = sorted((spec.ROOT / "data" / "sample").glob("*.in"))
+STATEMENT = (ROOT / "problem.md").read_text()
+PROBLEM = declaration.load()
+SAMPLES = sorted((ROOT / "data" / "sample").glob("*.in"))
 
 
 def table(header):

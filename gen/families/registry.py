@@ -12,6 +12,7 @@ from typing import Annotated, Any, get_args, get_type_hints
 from gen.rng import Rng
 from gen.scenario import LIMIT, Scenario
 from gen.seeds import derive
+from judge.kit.errors import KitError
 
 _INTEGER = re.compile(r"-?[0-9]{1,18}", re.ASCII)
 
@@ -58,7 +59,7 @@ Parameters = Mapping[str, int | str]
 Maker = Callable[..., Iterable[Scenario]]
 
 
-class FamilyError(Exception):
+class FamilyError(KitError):
     """No such family or parameter, or parameters that no scene fits; one clear line."""
 
 

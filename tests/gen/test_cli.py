@@ -13,7 +13,8 @@ import pytest
 from gen import manifest
 from gen.build import BuildError, build_case
 from gen.cli import main
-from gen.plan import DATA, PLANNED, ROOT, Case, user_cases
+from gen.plan import PLANNED, Case, user_cases
+from judge.kit.paths import DATA, ROOT
 
 SMALL = sum(case.group == "small" for case in PLANNED)
 

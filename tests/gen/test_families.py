@@ -10,11 +10,12 @@ import pytest
 from gen.families import FAMILIES, FamilyError, find
 from gen.geometry import apart, cross, minus, sweep
 from gen.parse import parse
-from gen.plan import PLANNED, ROOT
+from gen.plan import PLANNED
 from gen.rng import Rng
 from gen.scenario import LIMIT, render
 from gen.seeds import derive
 from gen.validator import load_rules, validate
+from judge.kit.paths import ROOT
 
 # Whole worlds and whole files are not needed to see whether a family works.
 LITTLE = {"world": {"vertices": 3_000}}

@@ -9,9 +9,9 @@ import pytest
 
 from gen import manifest
 from gen.parse import parse
-from gen.plan import DATA
 from gen.validator import load_rules
-from judge.spec import load
+from judge.kit.paths import DATA
+from judge.problem.declaration import load
 
 PROBLEM = load()
 RULES = load_rules()

@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gen.plan import ROOT
 from gen.validator import InputError, Rules, Summary, UsageError, load_rules, validate
+from judge.kit.paths import ROOT
 
 INVALID = ROOT / "data" / "invalid_input"
 SAMPLE = (ROOT / "data" / "sample" / "01-first.in").read_bytes()

@@ -10,11 +10,11 @@ from pathlib import Path
 
 import pytest
 
-from judge.facts import Facts, RunLimits
-from judge.probe import probe
-from judge.sandbox import Command, Sandbox
+from judge.kit.paths import ROOT
+from judge.sandbox.facts import Facts, RunLimits
+from judge.sandbox.probe import probe
+from judge.sandbox.sandbox import Command, Sandbox
 
-ROOT = Path(__file__).resolve().parents[2]
 Checker = Callable[..., subprocess.CompletedProcess[str]]
 RunPython = Callable[..., Facts]
 

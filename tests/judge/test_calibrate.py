@@ -10,12 +10,13 @@ from types import SimpleNamespace
 import pytest
 
 from judge.calibrate import Time, main, margins, measure, written
-from judge.cases import Case
-from judge.facts import RunLimits
 from judge.judging import JudgeError
+from judge.kit.paths import PROBLEM_FILE
+from judge.problem.cases import Case
+from judge.problem.declaration import load
+from judge.problem.verdict import Verdict
 from judge.results import CaseResult
-from judge.spec import PROBLEM_FILE, load
-from judge.verdict import Verdict
+from judge.sandbox.facts import RunLimits
 
 PROBLEM = load()
 ASKED = PROBLEM.limits.time_multipliers

@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 
-from judge.cases import CasesError, check_built, find_cases, select
-from judge.manifest import check_complete, check_sums, load_manifest
-from judge.spec import load
+from judge.problem.cases import CasesError, check_built, find_cases, select
+from judge.problem.declaration import load
+from judge.problem.manifest import check_complete, check_sums, load_manifest
 
 PROBLEM = load()
 
@@ -41,7 +41,7 @@ def test_half_a_pair(data: Path, ending: str) -> None:
 
 
 def test_a_missing_answer_of_the_kit_can_be_rebuilt(data: Path, monkeypatch) -> None:
-    monkeypatch.setattr("judge.cases.DATA", data)
+    monkeypatch.setattr("judge.problem.cases.DATA", data)
     (data / "secret/small/02.ans").unlink()
     with pytest.raises(CasesError, match=r"02\.ans: .* missing; run 'make data'$"):
         find_cases(data, PROBLEM)

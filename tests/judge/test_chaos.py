@@ -15,10 +15,10 @@ from pathlib import Path
 
 import pytest
 
-from judge.keeper.proc import children, descendants, read
-from judge.probe import probe
+from judge.kit.paths import ROOT
+from judge.sandbox.keeper.proc import children, descendants, read
+from judge.sandbox.probe import probe
 
-ROOT = Path(__file__).resolve().parents[2]
 PR_SET_CHILD_SUBREAPER = 36
 LONGEST_MOMENT_S = 1.2  # by then a judging of these cases is over, or nearly
 ECHO = "import sys, time\ntime.sleep(0.1)\nsys.stdout.write(sys.stdin.read())\n"

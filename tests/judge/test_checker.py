@@ -16,7 +16,8 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
+from judge.kit.paths import ROOT
+
 ECHO = "import sys\nsys.stdout.write(sys.stdin.read())\n"
 ECHO_CPP = "#include <iostream>\nint main() { std::cout << std::cin.rdbuf(); }\n"
 Source = Callable[[str, str], Path]

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
-from judge.command import run
+from judge.kit.command import run
+from judge.kit.paths import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = {
     "gen": "-m gen make contacts",
     "pictures": "-m pictures show data/sample/01-first.in 1",

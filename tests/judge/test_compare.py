@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from judge.compare import BLOCK_BYTES, Mismatch, compare
-from judge.text import printable
+from judge.kit.text import printable
 
 SPACES = st.text(" \t\n\r\x0b\x0c", min_size=1, max_size=4).map(str.encode)
 TOKENS = st.lists(st.sampled_from([b"YES", b"no", b"No", b"yes", b"\x00", b"\xff", b"a" * 50]))

@@ -15,14 +15,14 @@ from types import SimpleNamespace
 
 import pytest
 
-from judge.facts import RunLimits, Stop
-from judge.groups import LEAF, Groups
-from judge.keeper.group import SLACK_MIB, Group
-from judge.keeper.launch import place_of_group
-from judge.probe import probe
-from judge.sandbox import Command, Sandbox
+from judge.kit.paths import ROOT
+from judge.sandbox.cgroups import LEAF, Groups
+from judge.sandbox.facts import RunLimits, Stop
+from judge.sandbox.keeper.cgroup import SLACK_MIB, Group
+from judge.sandbox.keeper.launch import place_of_group
+from judge.sandbox.probe import probe
+from judge.sandbox.sandbox import Command, Sandbox
 
-ROOT = Path(__file__).resolve().parents[2]
 MOUNT = "41 31 0:38 {root} {place} rw,relatime - cgroup2 cgroup2 rw\n"
 OTHER = "40 31 0:37 / /sys/fs/cgroup/cpu rw,relatime - cgroup cgroup rw,cpu\n"
 CONTROLS = ("memory.max", "memory.swap.max", "memory.oom.group", "pids.max", "cgroup.procs")
@@ -137,8 +137,8 @@ def test_where_no_group_is_granted_nothing_is_left(tmp_path: Path) -> None:
 
 KERNEL_ENDS_IT = """
 import json, sys
-from judge.keeper import watch
-from judge.keeper.group import Group
+from judge.sandbox.keeper import watch
+from judge.sandbox.keeper.cgroup import Group
 Group.out_of_memory = True
 print(json.dumps(watch.run(json.loads(sys.argv[1]))))
 """

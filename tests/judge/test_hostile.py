@@ -20,16 +20,16 @@ import pytest
 from rich.console import Console
 
 from judge.judging import Options, judge
-from judge.junit import to_junit
-from judge.keeper.proc import descendants
-from judge.languages import by_suffix
-from judge.probe import probe
-from judge.report import case_line, print_report
+from judge.languages.submission import read_submission
+from judge.languages.table import by_suffix
+from judge.problem.declaration import load
+from judge.problem.verdict import Verdict
+from judge.reports.junit import to_junit
+from judge.reports.schema import to_json
+from judge.reports.terminal import case_line, print_report
 from judge.results import Judging
-from judge.schema import to_json
-from judge.spec import load
-from judge.submission import read_submission
-from judge.verdict import Verdict
+from judge.sandbox.keeper.proc import descendants
+from judge.sandbox.probe import probe
 
 HERE = Path(__file__).parent / "hostile"
 PROGRAMS = sorted(path for path in HERE.rglob("*.*") if by_suffix(path))

@@ -13,16 +13,16 @@ from typing import Any
 import pytest
 from rich.console import Console
 
-from judge.cases import Case
-from judge.facts import RunLimits
 from judge.judging import Events, Options, judge
-from judge.report import print_report
+from judge.languages.submission import read_submission
+from judge.pool import run_case
+from judge.problem.cases import Case
+from judge.problem.declaration import load
+from judge.problem.verdict import Verdict
+from judge.reports.terminal import print_report
 from judge.results import CaseResult, Judging
-from judge.runs import run_case
-from judge.sandbox import Command, Sandbox
-from judge.spec import load
-from judge.submission import read_submission
-from judge.verdict import Verdict
+from judge.sandbox.facts import RunLimits
+from judge.sandbox.sandbox import Command, Sandbox
 
 PROBLEM = load()
 ECHO = "import sys\nsys.stdout.write(sys.stdin.read())\n"

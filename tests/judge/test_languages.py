@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from judge.languages import LANGUAGES, LanguageError, by_name, by_suffix, guess, toolchain
-from judge.submission import SubmissionError, from_source, read_submission
+from judge.kit.paths import ROOT
+from judge.languages.submission import SubmissionError, from_source, read_submission
+from judge.languages.table import LANGUAGES, LanguageError, by_name, by_suffix, guess, toolchain
 
-ROOT = Path(__file__).resolve().parents[2]
 SOURCES = sorted(p for p in (ROOT / "submissions").rglob("*.*") if by_suffix(p))
 
 HELLO = {

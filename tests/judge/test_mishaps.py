@@ -11,14 +11,14 @@ from pathlib import Path
 
 import pytest
 
-from judge.cases import CasesError, find_cases
-from judge.files import write_whole
-from judge.java import java_names
-from judge.languages import guess
-from judge.spec import load
-from judge.submission import LONGEST_SOURCE_BYTES, from_source, read_submission
+from judge.kit.files import write_whole
+from judge.kit.paths import ROOT
+from judge.languages.java import java_names
+from judge.languages.submission import LONGEST_SOURCE_BYTES, from_source, read_submission
+from judge.languages.table import guess
+from judge.problem.cases import CasesError, find_cases
+from judge.problem.declaration import load
 
-ROOT = Path(__file__).resolve().parents[2]
 ECHO = "import sys\nsys.stdout.write(sys.stdin.read())\n"
 
 
@@ -112,7 +112,7 @@ def test_an_endless_source_is_read_in_part_only() -> None:
             assert size == LONGEST_SOURCE_BYTES
             return b"x" * 10
 
-    from judge.submission import read_source
+    from judge.languages.submission import read_source
 
     assert read_source(Endless()) == b"x" * 10
     with pytest.raises(Exception, match="binary data"):

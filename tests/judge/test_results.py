@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from judge.cases import Case
-from judge.junit import to_junit
+from judge.problem.cases import Case
+from judge.problem.declaration import load
+from judge.problem.verdict import Verdict
+from judge.reports.junit import to_junit
 from judge.results import CaseResult, Judging, first_failure, group_results, not_run
-from judge.spec import load
-from judge.verdict import Verdict
 
 PROBLEM = load()
 AC, WA, TLE, JE, CE = Verdict.AC, Verdict.WA, Verdict.TLE, Verdict.JE, Verdict.CE

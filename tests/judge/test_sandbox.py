@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from judge.facts import RunLimits, Stop
-from judge.keeper.clock import Clock
-from judge.keeper.memory import Memory, proportional_mib
-from judge.keeper.pipes import Sink
-from judge.keeper.proc import STATE, Process, fields, look_at
-from judge.keeper.tree import Tree
-from judge.keeper.wall import NOBODY
-from judge.sandbox import Command, Sandbox, SandboxError
+from judge.sandbox.facts import RunLimits, Stop
+from judge.sandbox.keeper.clock import Clock
+from judge.sandbox.keeper.memory import Memory, proportional_mib
+from judge.sandbox.keeper.pipes import Sink
+from judge.sandbox.keeper.proc import STATE, Process, fields, look_at
+from judge.sandbox.keeper.tree import Tree
+from judge.sandbox.keeper.wall import NOBODY
+from judge.sandbox.sandbox import Command, Sandbox, SandboxError
 
 if TYPE_CHECKING:
     from tests.judge.conftest import RunPython
@@ -373,8 +373,8 @@ def test_a_killed_judge_leaves_nothing(tmp_path: Path) -> None:
     code = (
         "import sys\n"
         "from pathlib import Path\n"
-        "from judge.sandbox import *\n"
-        "from judge.facts import RunLimits\n"
+        "from judge.sandbox.sandbox import *\n"
+        "from judge.sandbox.facts import RunLimits\n"
         "box = Sandbox()\n"
         f"command = Command((sys.executable, '-c', 'while True: pass # {mark}'))\n"
         "limits = RunLimits(time_limit_s=60, memory_mib=100, output_mib=1)\n"
@@ -442,7 +442,7 @@ def test_a_keeper_killed_at_its_start_leaves_no_directory(
 ) -> None:
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     boot = "import os, sys; os.mkdir(sys.argv[2]); os.kill(os.getpid(), 9)"
-    monkeypatch.setattr("judge.sandbox.BOOT", boot)
+    monkeypatch.setattr("judge.sandbox.sandbox.BOOT", boot)
     with pytest.raises(SandboxError, match="the keeper of the run was lost"):
         Sandbox()
     assert list(tmp_path.iterdir()) == []
@@ -452,8 +452,8 @@ def test_what_the_keeper_takes_starves_nobody(monkeypatch: pytest.MonkeyPatch) -
     """A program that gives it much to look at would wait for it on the same processor."""
     tree = Tree({})
     ready_ns = int(9e9)
-    monkeypatch.setattr("judge.keeper.tree.descendants", lambda: [1, 2])
-    monkeypatch.setattr("judge.keeper.tree.read", lambda _path: f"1 {ready_ns} 1")
+    monkeypatch.setattr("judge.sandbox.keeper.tree.descendants", lambda: [1, 2])
+    monkeypatch.setattr("judge.sandbox.keeper.tree.read", lambda _path: f"1 {ready_ns} 1")
     assert 8.5 < tree.starved_s() <= 9.0
     while time.process_time() - tree._own_began_s < 0.2:
         pass
@@ -470,8 +470,8 @@ def test_what_was_shared_explains_memory_until_it_is_looked_at_again(
         looked.append(process.pid)
         return exact_mib[process.pid]
 
-    monkeypatch.setattr("judge.keeper.memory.proportional_mib", exact)
-    monkeypatch.setattr("judge.keeper.memory.distinct", list)
+    monkeypatch.setattr("judge.sandbox.keeper.memory.proportional_mib", exact)
+    monkeypatch.setattr("judge.sandbox.keeper.memory.distinct", list)
     memory = Memory({})
     pair = [seen(1, 300), seen(2, 300)]
     assert (memory.used_mib(pair, 500), looked) == (60.0, [1, 2])

@@ -7,12 +7,12 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from judge.cases import Case
+from judge.kit.paths import ROOT
+from judge.problem.cases import Case
+from judge.problem.verdict import Verdict
+from judge.reports.schema import Report, json_schema, report_of, to_json
 from judge.results import CaseResult, GroupResult, Judging
-from judge.schema import Report, json_schema, report_of, to_json
-from judge.verdict import Verdict
 
-ROOT = Path(__file__).resolve().parents[2]
 CASE = Case("secret/small/01", "small", Path("01.in"), Path("01.ans"))
 RESULT = CaseResult(CASE, Verdict.AC, 1.5, 2.0, 30.0, "", retried=True, first_verdict=Verdict.TLE)
 JUDGING = Judging(
@@ -32,7 +32,9 @@ JUDGING = Judging(
 
 def test_the_schema_written_down_is_the_one_in_force() -> None:
     committed = (ROOT / "docs/report.schema.json").read_bytes()
-    assert committed == json_schema(), "run `python -m judge.schema > docs/report.schema.json`"
+    assert committed == json_schema(), (
+        "run `python -m judge.reports.schema > docs/report.schema.json`"
+    )
 
 
 def test_a_report_reads_as_the_schema_says() -> None:

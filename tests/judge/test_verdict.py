@@ -7,8 +7,9 @@ from dataclasses import replace
 import pytest
 
 from judge.compare import Mismatch
-from judge.facts import Facts, RunLimits, Stop
-from judge.verdict import Verdict, decide
+from judge.decide import decide
+from judge.problem.verdict import Verdict
+from judge.sandbox.facts import Facts, RunLimits, Stop
 
 LIMITS = RunLimits(time_limit_s=2.0, memory_mib=100, output_mib=1)
 FINE = Facts(

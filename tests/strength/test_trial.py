@@ -4,7 +4,7 @@ import time
 
 import pytest
 
-from judge.verdict import Verdict
+from judge.problem.verdict import Verdict
 from strength.trial import Kill, Trial, first_kill
 
 ECHO = b"import sys\nprint(sys.stdin.read())\n"

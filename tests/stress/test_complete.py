@@ -7,9 +7,9 @@ import pytest
 from gen.geometry import hull, is_strictly_convex
 from gen.parse import parse
 from gen.scenario import Scenario
-from judge.languages import LanguageError
-from judge.sandbox import Sandbox
-from judge.spec import load
+from judge.languages.table import LanguageError
+from judge.problem.declaration import load
+from judge.sandbox.sandbox import Sandbox
 from stress import complete
 from stress.agree import SOLVERS
 from stress.complete import WORLDS, World, compare_world, compiled, size

@@ -6,8 +6,9 @@ import sys
 
 import pytest
 
-from judge.spec import ROOT, load
-from judge.verdict import Verdict
+from judge.kit.paths import ROOT
+from judge.problem.declaration import load
+from judge.problem.verdict import Verdict
 
 SUBMISSIONS = ROOT / "submissions"
 PROBLEM = load()

@@ -7,12 +7,13 @@ compilers take their time.
 
 import pytest
 
-from judge.cases import DATA, find_cases
 from judge.judging import Options, judge, machine_scale
-from judge.languages import LanguageError, toolchain
-from judge.sandbox import Sandbox
-from judge.spec import ROOT, load
-from judge.submission import read_submission
+from judge.kit.paths import DATA, ROOT
+from judge.languages.submission import read_submission
+from judge.languages.table import LanguageError, toolchain
+from judge.problem.cases import find_cases
+from judge.problem.declaration import load
+from judge.sandbox.sandbox import Sandbox
 
 PROBLEM = load()
 GROUPS = PROBLEM.group_names

@@ -7,11 +7,11 @@ import resource
 import signal
 from typing import Any, NamedTuple
 
-from judge.keeper.clock import Clock
-from judge.keeper.group import Group
-from judge.keeper.libc import LIBC
-from judge.keeper.proc import threads_of
-from judge.keeper.wall import NOBODY, STARTED, drop, walled
+from judge.sandbox.keeper.cgroup import Group
+from judge.sandbox.keeper.clock import Clock
+from judge.sandbox.keeper.libc import LIBC
+from judge.sandbox.keeper.proc import threads_of
+from judge.sandbox.keeper.wall import NOBODY, STARTED, drop, walled
 
 PR_SET_PDEATHSIG = 1
 SHARED_PROCESSES = 4096

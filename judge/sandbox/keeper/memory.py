@@ -6,8 +6,8 @@ import os
 import time
 from collections.abc import Mapping, Sequence
 
-from judge.keeper.libc import system_call
-from judge.keeper.proc import EXITING, FLAGS, Process, fields, read
+from judge.sandbox.keeper.libc import system_call
+from judge.sandbox.keeper.proc import EXITING, FLAGS, Process, fields, read
 
 INODE_BYTES = 1024  # of a memory file system, its name included; about
 WMEM_DEFAULT_BYTES = 212992  # of most kernels

@@ -8,10 +8,10 @@ import time
 from pathlib import Path
 from typing import Any
 
-from judge.keeper.group import SLACK_MIB
-from judge.keeper.launch import LaunchError, launch
-from judge.keeper.pipes import Feeder, Sink
-from judge.keeper.tree import Tree, peak_mib
+from judge.sandbox.keeper.cgroup import SLACK_MIB
+from judge.sandbox.keeper.launch import LaunchError, launch
+from judge.sandbox.keeper.pipes import Feeder, Sink
+from judge.sandbox.keeper.tree import Tree, peak_mib
 
 CONTROL = 0
 SAMPLE_S = 0.02
@@ -30,8 +30,8 @@ def run(request: dict[str, Any]) -> dict[str, Any]:
     output_bytes, processes: where to end it; file_mib: the largest file it may write;
     drop: whether to drop from root to an unprivileged user, as a wall always does;
     wall: what `wall.walled` wants, null for none; group: what
-    `judge.groups.Groups.request` returns.
-    Reply: the fields of `judge.facts.Facts`; stderr as Latin-1 text.
+    `judge.sandbox.cgroups.Groups.request` returns.
+    Reply: the fields of `judge.sandbox.facts.Facts`; stderr as Latin-1 text.
     Raises LaunchError, JudgeGoneError, TimeoutError; no process is left in any case but the last.
     """
     tree = Tree(request["wall"]["scratch"] if request["wall"] else {})

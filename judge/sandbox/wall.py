@@ -3,7 +3,7 @@
 `bwrap` gives every run its own user, pid, network, ipc, uts, cgroup and mount
 namespaces: a read-only system, the program's own directory, sized memory as scratch
 that dies with it; no home, no data, no answers, no network, no capability.
-The keeper's side is `judge.keeper.wall`, the system-call filter `judge.seccomp`.
+The keeper's side is `judge.sandbox.keeper.wall`, the system-call filter `judge.sandbox.seccomp`.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from judge.keeper.clock import Clock
-from judge.seccomp import filter_program
+from judge.sandbox.keeper.clock import Clock
+from judge.sandbox.seccomp import filter_program
 
 PROGRAM = Path("/program")  # where a program's directory appears to it
 SCRATCH = Path("/tmp")
@@ -45,7 +45,7 @@ class Wall:
     def request(
         self, program: Path | None, *, writable: bool, prefixes: tuple[str, ...]
     ) -> dict[str, Any]:
-        """Return what the keeper needs to raise the wall; see `judge.keeper.wall.walled`.
+        """Return what the keeper needs to raise the wall; see `judge.sandbox.keeper.wall.walled`.
 
         program: the directory to show at PROGRAM, None for none; writable: for its
         compiler; prefixes: directories outside the system that its tools live in.

@@ -13,7 +13,7 @@ import os
 from pathlib import Path
 from typing import Any
 
-from judge.keeper.libc import LIBC
+from judge.sandbox.keeper.libc import LIBC
 
 NOBODY = 65534
 CLONE_NEWNS = 0x20000

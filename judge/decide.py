@@ -1,28 +1,15 @@
-"""Verdicts, and the pure function from the facts of a run to its verdict."""
+"""The pure function from the facts of a run to its verdict."""
 
 from __future__ import annotations
 
 import math
 import signal
 from dataclasses import dataclass
-from enum import StrEnum
 
 from judge.compare import Mismatch
-from judge.facts import Facts, RunLimits, Stop
-from judge.text import printable_lines
-
-
-class Verdict(StrEnum):
-    """The judgement of one run, one group or one whole judging."""
-
-    AC = "AC"  # accepted
-    WA = "WA"  # wrong answer
-    TLE = "TLE"  # time limit exceeded
-    RTE = "RTE"  # run-time error: an exit status other than 0, or a signal
-    MLE = "MLE"  # memory limit exceeded
-    OLE = "OLE"  # output limit exceeded
-    CE = "CE"  # compile error
-    JE = "JE"  # judge error: the judge failed, not the submission
+from judge.kit.text import printable_lines
+from judge.problem.verdict import Verdict
+from judge.sandbox.facts import Facts, RunLimits, Stop
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,10 +9,10 @@ import signal
 import time
 from collections.abc import Mapping
 
-from judge.keeper.clock import Clock
-from judge.keeper.group import Group
-from judge.keeper.memory import Memory
-from judge.keeper.proc import children, descendants, look_at, read
+from judge.sandbox.keeper.cgroup import Group
+from judge.sandbox.keeper.clock import Clock
+from judge.sandbox.keeper.memory import Memory
+from judge.sandbox.keeper.proc import children, descendants, look_at, read
 
 REAP_TIMEOUT_S = 10.0
 ORDERLY_END_S = 0.003  # after that, what is left is not ending by itself

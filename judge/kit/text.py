@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import difflib
+from collections.abc import Iterable
+
 ELLIPSIS = "…"
 
 
@@ -36,6 +39,12 @@ def printable_lines(data: bytes, lines: int = 12, width: int = 160) -> str:
 def printable_name(name: str, width: int = 400) -> str:
     """Return a name or a message of ours on one line, whatever file names it holds."""
     return _printable_text(name, width)
+
+
+def did_you_mean(word: str, choices: Iterable[str]) -> str:
+    """Return `; did you mean 'x'?` for the nearest choice, or an empty string."""
+    near = difflib.get_close_matches(word, list(choices), n=1)
+    return f"; did you mean {near[0]!r}?" if near else ""
 
 
 def _printable_text(line: str, width: int) -> str:

@@ -7,13 +7,14 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor, Future, wait
 from dataclasses import replace
 
-from judge.cases import Case
 from judge.compare import compare
-from judge.facts import RunLimits
+from judge.decide import decide
+from judge.languages.submission import Program
+from judge.problem.cases import Case
+from judge.problem.verdict import Verdict
 from judge.results import CaseResult, not_run
-from judge.sandbox import Command, Sandbox, SandboxError
-from judge.submission import Program
-from judge.verdict import Verdict, decide
+from judge.sandbox.facts import RunLimits
+from judge.sandbox.sandbox import Command, Sandbox, SandboxError
 
 RUNS_BEFORE_JE = 2
 

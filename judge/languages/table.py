@@ -11,13 +11,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from judge.sandbox import Command
-from judge.spec import ROOT, did_you_mean
+from judge.kit.errors import KitError
+from judge.kit.paths import ROOT
+from judge.kit.text import did_you_mean
+from judge.sandbox.sandbox import Command
 
 SYSTEM_PATH = "/usr/local/bin:/usr/bin:/bin"
 
 
-class LanguageError(Exception):
+class LanguageError(KitError):
     """The language is not known, or its tools are not installed; one clear line."""
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import subprocess
 from dataclasses import dataclass, replace
 
-from judge.facts import RunLimits
-from judge.sandbox import Command, Sandbox, SandboxError
-from judge.text import printable_lines
-from judge.wall import Wall, candidates
+from judge.kit.text import printable_lines
+from judge.sandbox.facts import RunLimits
+from judge.sandbox.sandbox import Command, Sandbox, SandboxError
+from judge.sandbox.wall import Wall, candidates
 
 PROBE_LIMITS = RunLimits(time_limit_s=2.0, memory_mib=64, output_mib=1)
 

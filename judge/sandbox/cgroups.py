@@ -2,7 +2,7 @@
 
 It may below its own group if that was delegated to its user, as systemd does for
 `systemd-run --user --scope -p Delegate=yes ./checker.py ...`, or if it is root and
-nobody forbids it. What is done there is `judge.keeper.group`'s.
+nobody forbids it. What is done there is `judge.sandbox.keeper.cgroup`'s.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-from judge.keeper.proc import read
+from judge.sandbox.keeper.proc import read
 
 CONTROLLERS = ("memory", "pids")
 LEAF = "collision-course"

@@ -7,14 +7,15 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-from judge.spec import ROOT, Problem, did_you_mean
-from judge.text import printable_name
+from judge.kit.errors import KitError
+from judge.kit.paths import DATA
+from judge.kit.text import did_you_mean, printable_name
+from judge.problem.declaration import Problem
 
-DATA = ROOT / "data"
 REBUILD = "run 'make data'"
 
 
-class CasesError(Exception):
+class CasesError(KitError):
     """The test cases cannot be used; one clear line."""
 
 

@@ -1,6 +1,6 @@
 """The JSON report: its schema, as the types below say it.
 
-`python -m judge.schema > docs/report.schema.json` writes the schema down. A field
+`python -m judge.reports.schema > docs/report.schema.json` writes the schema down. A field
 added is still version 1; one that is taken away, or means something else, is not.
 """
 
@@ -11,8 +11,8 @@ from typing import Annotated
 
 import msgspec
 
+from judge.problem.verdict import Verdict
 from judge.results import Judging
-from judge.verdict import Verdict
 
 SCHEMA_VERSION = 1
 

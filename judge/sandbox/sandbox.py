@@ -18,14 +18,15 @@ from signal import SIGKILL
 from types import TracebackType
 from typing import Any, Self
 
-from judge.facts import Facts, RunLimits, Stop
-from judge.groups import Groups
-from judge.keeper import BOOT
-from judge.keeper.remove import remove
-from judge.keeper.wall import NOBODY, open_to_all
-from judge.wall import PROGRAM, SCRATCH, Wall
+from judge.kit.errors import KitError
+from judge.kit.paths import ROOT
+from judge.sandbox.cgroups import Groups
+from judge.sandbox.facts import Facts, RunLimits, Stop
+from judge.sandbox.keeper import BOOT
+from judge.sandbox.keeper.remove import remove
+from judge.sandbox.keeper.wall import NOBODY, open_to_all
+from judge.sandbox.wall import PROGRAM, SCRATCH, Wall
 
-KIT = Path(__file__).resolve().parent.parent
 ANSWER_MARGIN_S = 30.0  # what a keeper may need beyond the wall limit before it is given up
 FILE_MIB = 256  # the largest file a run may write into its scratch directory
 
@@ -34,7 +35,7 @@ LOST = "the keeper of the run was lost"
 KILLED = 128 + SIGKILL  # as a wall, or a shell, passes it on
 
 
-class SandboxError(Exception):
+class SandboxError(KitError):
     """The run could not be made or watched; the program is not to blame."""
 
 
@@ -223,7 +224,7 @@ class _Keeper:
 
     def __init__(self, scratch: Path) -> None:
         self._process = subprocess.Popen(
-            [sys.executable, "-I", "-S", "-c", BOOT, str(KIT), str(scratch)],
+            [sys.executable, "-I", "-S", "-c", BOOT, str(ROOT), str(scratch)],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             env={},

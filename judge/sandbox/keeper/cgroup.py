@@ -12,7 +12,7 @@ import contextlib
 import os
 from pathlib import Path
 
-from judge.keeper.proc import read
+from judge.sandbox.keeper.proc import read
 
 SLACK_MIB = 16  # of page tables and the wall; what is over the limit itself is seen by looking
 

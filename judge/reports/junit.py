@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from xml.etree import ElementTree as ET
 
+from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging
-from judge.verdict import Verdict
 
 
 def to_junit(judging: Judging) -> bytes:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import msgspec
 
-from judge.cases import REBUILD, Case, CasesError, group_of
+from judge.problem.cases import REBUILD, Case, CasesError, group_of
 
 MANIFEST = "manifest.json"
 

@@ -7,22 +7,23 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO
 
-from judge.facts import RunLimits, Stop
-from judge.java import java_names
-from judge.languages import LANGUAGES, Language, by_suffix, guess, toolchain
-from judge.sandbox import Command, Sandbox
-from judge.spec import Limits
-from judge.text import printable_lines
+from judge.kit.errors import KitError
+from judge.kit.text import printable_lines
+from judge.languages.java import java_names
+from judge.languages.table import LANGUAGES, Language, by_suffix, guess, toolchain
+from judge.problem.declaration import Limits
+from judge.sandbox.facts import RunLimits, Stop
+from judge.sandbox.sandbox import Command, Sandbox
 
 COMPILER_OUTPUT_MIB = 8
 LONGEST_SOURCE_BYTES = 1 << 24  # far beyond any limit on the source's length
 
 
-class SubmissionError(Exception):
+class SubmissionError(KitError):
     """What was given cannot be a submission; one clear line."""
 
 
-class CompileError(Exception):
+class CompileError(KitError):
     """The submission does not compile; the message is the compiler's, cut short."""
 
 

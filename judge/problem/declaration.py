@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 import tomllib
 from pathlib import Path
@@ -10,17 +9,17 @@ from typing import Annotated
 
 import msgspec
 
-from judge.verdict import Verdict
-
-ROOT = Path(__file__).resolve().parent.parent
-PROBLEM_FILE = ROOT / "problem.toml"
+from judge.kit.errors import KitError
+from judge.kit.paths import PROBLEM_FILE
+from judge.kit.text import did_you_mean
+from judge.problem.verdict import Verdict
 
 Positive = Annotated[int, msgspec.Meta(ge=1)]
 PositiveFloat = Annotated[float, msgspec.Meta(gt=0)]
 Name = Annotated[str, msgspec.Meta(pattern="^[a-z][a-z0-9_-]*$")]
 
 
-class SpecError(Exception):
+class SpecError(KitError):
     """`problem.toml` cannot be used; the message says where, expected and found."""
 
 
@@ -129,12 +128,6 @@ def load(path: Path = PROBLEM_FILE) -> Problem:
         raise SpecError(f"{path}: {_explain(str(error), table)}") from None
     _check_names(problem, path)
     return problem
-
-
-def did_you_mean(word: str, choices: list[str]) -> str:
-    """Return `; did you mean 'x'?` for the nearest choice, or an empty string."""
-    near = difflib.get_close_matches(word, choices, n=1)
-    return f"; did you mean {near[0]!r}?" if near else ""
 
 
 def _check_names(problem: Problem, path: Path) -> None:

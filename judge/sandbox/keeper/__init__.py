@@ -6,4 +6,7 @@ a child subreaper sees the CPU time of processes that outlive their parents. Sta
 library only, and little of it; nothing here imports anything else of `judge`.
 """
 
-BOOT = "import sys; sys.path.insert(0, sys.argv[1]); from judge.keeper.serve import main; main()"
+BOOT = (
+    "import sys; sys.path.insert(0, sys.argv[1]); "
+    "from judge.sandbox.keeper.serve import main; main()"
+)

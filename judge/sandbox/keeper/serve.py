@@ -17,9 +17,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from judge.keeper.launch import LaunchError
-from judge.keeper.libc import LIBC
-from judge.keeper.watch import CONTROL, JudgeGoneError, run
+from judge.sandbox.keeper.launch import LaunchError
+from judge.sandbox.keeper.libc import LIBC
+from judge.sandbox.keeper.watch import CONTROL, JudgeGoneError, run
 
 PR_SET_CHILD_SUBREAPER = 36
 BLOCK_BYTES = 1 << 16
@@ -79,6 +79,6 @@ def main() -> None:
     except (JudgeGoneError, BrokenPipeError, TimeoutError):
         pass
     # Only here: it would make every program's peak memory larger.
-    from judge.keeper.remove import remove
+    from judge.sandbox.keeper.remove import remove
 
     remove(scratch)

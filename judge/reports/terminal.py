@@ -13,9 +13,9 @@ from rich.table import Table
 from rich.text import Text
 
 from judge.judging import Events
+from judge.kit.text import printable_name
+from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging
-from judge.text import printable_name
-from judge.verdict import Verdict
 
 COLOURS = {
     Verdict.AC: "bold green",

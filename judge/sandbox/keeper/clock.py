@@ -11,7 +11,7 @@ from __future__ import annotations
 import os
 import struct
 
-from judge.keeper.libc import system_call
+from judge.sandbox.keeper.libc import system_call
 
 SYSTEM_CALL = {"x86_64": 298, "aarch64": 241}
 ATTRIBUTES_BYTES = 112

@@ -1,0 +1,1 @@
+"""The languages of submissions: tables, tools, compiling."""

@@ -1,0 +1,1 @@
+"""The problem as the judge knows it: declaration, verdicts, test cases, manifest."""

@@ -1,0 +1,1 @@
+"""Runs one program within limits, behind a wall, and reports facts."""
