@@ -1,7 +1,10 @@
-"""`python -m gen`."""
+"""`python -m gen`; or `python …/gen`, from any directory."""
 
 import sys
+from pathlib import Path
 
-from gen.cli import main
+if __name__ == "__main__":
+    sys.path[0] = str(Path(__file__).resolve().parents[1])
+    from judge.kit.door import start
 
-sys.exit(main(sys.argv[1:]))
+    start("gen.cli")

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import argparse
+import io
 import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import TextIO
 
-NOT_WRITTEN, FAILED, INTERRUPTED = 1, 2, 130
+from judge.kit.errors import KitError
+
+READER_GONE, FAILED, INTERRUPTED = 1, 2, 130
 
 
 def run(
@@ -16,12 +20,14 @@ def run(
     command: Callable[[], int],
     errors: tuple[type[Exception], ...] = (),
     interrupted: str = "interrupted",
+    reader_gone: int = READER_GONE,
 ) -> int:
     """Return the exit status of a command, whatever becomes of it or of its streams.
 
-    errors: of the user's making, each one clear line: 2. A file that cannot be used, or
-    output that cannot be written: 2; but 1, and not a word, if the reader went away as
-    `head` does. Interrupted: 130, and what `interrupted` says.
+    A KitError, or one of `errors`, is one clear line and status 2; so is a file that cannot be
+    used, or output that cannot be written. If the reader of the output went away, as `head`
+    does, nothing is said, and the status is `reader_gone`. Interrupted: 130, and the
+    line `interrupted`.
     """
     if sys.stderr is None:
         sys.stderr = Path(os.devnull).open("w")  # noqa: SIM115 (to the end of the process)
@@ -30,10 +36,13 @@ def run(
     if sys.stdout is None:
         complain(f"{name}: standard output is closed")
         return FAILED
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # whatever a file is called, it can be said
+            stream.reconfigure(errors="backslashreplace")
     try:
-        status = command()
+        status = _status(command)
         sys.stdout.flush()
-    except errors as error:
+    except (KitError, *errors) as error:
         complain(f"{name}: {error}")
         return FAILED
     except KeyboardInterrupt:
@@ -41,13 +50,21 @@ def run(
         return INTERRUPTED
     except BrokenPipeError:
         give_up(sys.stdout)
-        return NOT_WRITTEN
+        return reader_gone
     except OSError as error:
         if error.filename is None:
             give_up(sys.stdout)
         complain(f"{name}: {error.filename or 'standard output'}: {error.strerror}")
         return FAILED
     return status
+
+
+def _status(command: Callable[[], int]) -> int:
+    """Run a command; a parser of arguments ends it by SystemExit, after its own words."""
+    try:
+        return command()
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else 0
 
 
 def complain(line: str) -> None:
@@ -61,3 +78,34 @@ def complain(line: str) -> None:
 def give_up(stream: TextIO) -> None:
     """Point a stream that cannot be written to nowhere, so that its flush at the end succeeds."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+def whole_number(least: int, most: int | None = None) -> Callable[[str], int]:
+    """Return a type for argparse: whole numbers from `least` to `most`.
+
+    >>> whole_number(1)("12")
+    12
+    """
+    expected = f"a whole number of at least {least}" if most is None else f"{least} to {most}"
+
+    def read(text: str) -> int:
+        try:
+            value = int(text)
+        except ValueError:
+            value = least - 1
+        if value < least or (most is not None and value > most):
+            raise argparse.ArgumentTypeError(f"expected {expected}, found {text!r}")
+        return value
+
+    return read
+
+
+def add_jobs(parser: argparse.ArgumentParser, default: int, what: str) -> None:
+    """Add the option --jobs: how many of `what` at once."""
+    parser.add_argument(
+        "--jobs",
+        type=whole_number(1),
+        default=default,
+        metavar="N",
+        help=f"{what} at once (default here: {default})",
+    )

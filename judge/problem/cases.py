@@ -84,15 +84,6 @@ def _is_blank(answer: Path) -> bool:
         raise CasesError(f"{answer}: cannot be read: {error.strerror}") from None
 
 
-def check_built(cases: Iterable[Case], groups: Iterable[str], directory: Path) -> None:
-    """Raise CasesError unless each of `groups` has a case: large files are built, not committed."""
-    present = {case.group for case in cases}
-    for group in groups:
-        if group not in present:
-            below = "sample" if group == "sample" else f"secret/{group}"
-            raise CasesError(f"{directory / below}: no test cases here yet; {REBUILD}")
-
-
 def select(cases: Sequence[Case], groups: Sequence[str], globs: Sequence[str]) -> list[Case]:
     """Return the cases of any of `groups` whose name matches any of `globs`; empty means all.
 

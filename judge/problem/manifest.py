@@ -1,85 +1,110 @@
-"""Holds test cases to `manifest.json`, the sizes and sums of the files as they were built.
+"""The manifest of a data directory: how each test case was made, and the checksums of its files.
 
-A directory without a manifest holds whatever it holds; so does a case that its
+A directory without `manifest.json` is not held to anything; nor is a case that the
 manifest does not name.
 """
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable
+from collections.abc import Mapping
 from pathlib import Path
 
 import msgspec
 
-from judge.problem.cases import REBUILD, Case, CasesError, group_of
+from judge.kit.checksums import Checksums
+from judge.kit.errors import KitError
+from judge.kit.files import write_whole
 
 MANIFEST = "manifest.json"
+VERSION = 1
 
 
-class FileSum(msgspec.Struct, frozen=True):
-    """The size and SHA-256 sum (hexadecimal) of one file."""
+class ManifestError(KitError):
+    """The manifest cannot be used."""
+
+
+class FileSum(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """The size and the SHA-256 sum (hexadecimal) of one file."""
 
     bytes: int
     sha256: str
 
 
-class Entry(msgspec.Struct, frozen=True):
-    """What the judge wants of an entry; how the case was made is the generators' business."""
+class Entry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One test case: how it was made, its two files, and what they hold.
 
+    family: empty for a hand-made case. seed: derived from family, parameters and repeat;
+    0 for a hand-made case. pair_sum: the sum of k * m over the scenarios.
+    """
+
+    family: str
+    parameters: dict[str, int | str]
+    repeat: int
+    seed: int
     input: FileSum
     answer: FileSum
+    scenarios: int
+    vertices: int
+    pair_sum: int
+    yes: int
+    no: int
 
 
-class Manifest(msgspec.Struct, frozen=True):
-    """The entries by name of case."""
+class Manifest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """All test cases, by their names."""
 
+    version: int
     cases: dict[str, Entry]
 
 
 def load_manifest(directory: Path) -> Manifest:
-    """Return the manifest of `directory`, an empty one if it has none. Raises CasesError."""
+    """Return the manifest of `directory`, an empty one if it has none. Raises ManifestError."""
     path = directory / MANIFEST
     try:
         return msgspec.json.decode(path.read_bytes(), type=Manifest)
     except FileNotFoundError:
-        return Manifest({})
+        return Manifest(VERSION, {})
     except OSError as error:
-        raise CasesError(f"{path}: cannot be read: {error.strerror}") from None
+        raise ManifestError(f"{path}: cannot be read: {error.strerror}") from None
     except (msgspec.DecodeError, UnicodeDecodeError) as error:
-        raise CasesError(f"{path}: not a manifest: {error}") from None
+        raise ManifestError(f"{path}: not a manifest: {error}") from None
 
 
-def check_complete(manifest: Manifest, cases: Iterable[Case], groups: Iterable[str]) -> None:
-    """Raise CasesError if a named case of one of `groups` is not among `cases`."""
-    present, wanted = {case.name for case in cases}, set(groups)
-    for name in manifest.cases:
-        if name not in present and group_of(name) in wanted:
-            raise CasesError(f"{name}: this test case is not built yet; {REBUILD}")
+def save_manifest(directory: Path, cases: Mapping[str, Entry]) -> None:
+    """Write the manifest of `directory`. Raises OSError; no reader ever sees half of it."""
+    text = msgspec.json.format(msgspec.json.encode(Manifest(VERSION, dict(cases))), indent=1)
+    write_whole(directory / MANIFEST, text + b"\n", parents=True)
 
 
-def check_sums(manifest: Manifest, cases: Iterable[Case]) -> None:
-    """Raise CasesError for the first file that is not what was built. Reads every file once."""
-    for case in cases:
-        if entry := manifest.cases.get(case.name):
-            _check_file(case.input, entry.input)
-            _check_file(case.answer, entry.answer)
+def sum_of(content: bytes) -> FileSum:
+    """Return the size and checksum of a file's content."""
+    return FileSum(len(content), hashlib.sha256(content).hexdigest())
 
 
-def _check_file(path: Path, expected: FileSum) -> None:
+def file_faults(
+    directory: Path, name: str, entry: Entry, checksums: Checksums
+) -> list[tuple[Path, str]]:
+    """Return each file of the case `name` that is not what `entry` says, and what is wrong."""
+    stem = directory / name
+    files = (
+        (stem.with_name(f"{stem.name}.in"), entry.input),
+        (stem.with_name(f"{stem.name}.ans"), entry.answer),
+    )
+    faults = ((path, _fault(path, expected, checksums)) for path, expected in files)
+    return [(path, fault) for path, fault in faults if fault is not None]
+
+
+def _fault(path: Path, expected: FileSum, checksums: Checksums) -> str | None:
     try:
         size = path.stat().st_size
         if size != expected.bytes:
-            raise CasesError(
-                f"{path}: expected {expected.bytes} bytes, found {size}: "
-                f"cut short or changed; {REBUILD}"
-            )
-        with path.open("rb") as file:
-            found = hashlib.file_digest(file, "sha256").hexdigest()
+            return f"expected {expected.bytes} bytes, found {size}: cut short or changed"
+        found = checksums.sha256(path)
+    except FileNotFoundError:
+        return "missing"
     except OSError as error:
-        raise CasesError(f"{path}: cannot be read: {error.strerror}") from None
+        return f"cannot be read: {error.strerror}"
     if found != expected.sha256:
-        raise CasesError(
-            f"{path}: expected SHA-256 {expected.sha256[:12]}…, found {found[:12]}…: "
-            f"changed; {REBUILD}"
-        )
+        return f"expected SHA-256 {expected.sha256[:12]}…, found {found[:12]}…: changed"
+    return None

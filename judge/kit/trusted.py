@@ -1,0 +1,54 @@
+"""Runs the kit's own programs, which need no sandbox: an input in, its answers out."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from judge.kit.errors import KitError
+
+TIMEOUT_S = 600.0
+ANSWERS = frozenset({"YES", "NO"})
+
+
+class ProgramError(KitError):
+    """A program of the kit failed, or wrote something that is no answer."""
+
+
+def python_command(program: Path) -> tuple[str, ...]:
+    """Return the command that runs a Python program with the kit's own Python."""
+    return (sys.executable, str(program))
+
+
+def run_trusted(
+    name: str, command: Sequence[str], content: bytes = b"", timeout_s: float = TIMEOUT_S
+) -> bytes:
+    """Run a program on an input and return its standard output.
+
+    name: what messages call it. Raises ProgramError unless it ends with status 0 in time.
+    """
+    try:
+        run = subprocess.run(
+            command, input=content, capture_output=True, timeout=timeout_s, check=False
+        )
+    except subprocess.TimeoutExpired:
+        raise ProgramError(f"{name}: no answer within {timeout_s:.0f} s") from None
+    except OSError as error:
+        raise ProgramError(f"{name}: cannot be run: {error.strerror}") from None
+    if run.returncode:
+        last = run.stderr.decode(errors="replace").strip().rpartition("\n")[2]
+        raise ProgramError(f"{name}: exit status {run.returncode}: {last}".removesuffix(": "))
+    return run.stdout
+
+
+def read_answers(name: str, output: bytes, scenarios: int) -> list[str]:
+    """Return the answers in an output, one per scenario. Raises ProgramError if it is none."""
+    answers = output.decode(errors="replace").split()
+    if len(answers) != scenarios:
+        raise ProgramError(f"{name}: expected {scenarios} answers, found {len(answers)}")
+    strange = next((answer for answer in answers if answer not in ANSWERS), None)
+    if strange is not None:
+        raise ProgramError(f"{name}: expected YES or NO, found {strange[:20]!r}")
+    return answers

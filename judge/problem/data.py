@@ -1,0 +1,79 @@
+"""The test cases of a data directory: found, chosen, complete and unchanged, in one call."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from judge.kit.checksums import Checksums
+from judge.kit.paths import DATA
+from judge.kit.store import Store
+from judge.problem.cases import REBUILD, Case, CasesError, find_cases, group_of, select
+from judge.problem.declaration import Problem
+from judge.problem.manifest import Manifest, file_faults, load_manifest
+
+
+@dataclass(frozen=True, slots=True)
+class Data:
+    """Test cases in their order. all: every one of the directory; chosen: those asked for."""
+
+    directory: Path
+    all: tuple[Case, ...]
+    chosen: tuple[Case, ...]
+    manifest: Manifest
+
+    @property
+    def partial(self) -> bool:
+        """Whether the chosen cases are not all of the kit's own."""
+        return self.directory != DATA or len(self.chosen) < len(self.all)
+
+
+def load_data(
+    problem: Problem,
+    directory: Path = DATA,
+    groups: Sequence[str] = (),
+    globs: Sequence[str] = (),
+    store: Store | None = None,
+) -> Data:
+    """Return the test cases of `directory`, and those of `groups` that match `globs` (empty: all).
+
+    The kit's own directory must have every case of the wanted groups, and everywhere the
+    chosen cases must be what the manifest says. store: keeps checksums, so that unchanged
+    files are not read again. Raises CasesError, ManifestError.
+    """
+    manifest = load_manifest(directory)
+    cases = find_cases(directory, problem)
+    if directory == DATA:
+        wanted = [name for name in problem.group_names if not groups or name in groups]
+        check_complete(manifest, cases, wanted, directory)
+    chosen = select(cases, groups, globs)
+    check_unchanged(manifest, chosen, directory, Checksums(store))
+    return Data(directory, tuple(cases), tuple(chosen), manifest)
+
+
+def check_complete(
+    manifest: Manifest, cases: Sequence[Case], groups: Sequence[str], directory: Path
+) -> None:
+    """Raise CasesError unless each of `groups` has its cases: large files are not committed."""
+    for group in groups:
+        if all(case.group != group for case in cases):
+            below = "sample" if group == "sample" else f"secret/{group}"
+            raise CasesError(f"{directory / below}: no test cases here yet; {REBUILD}")
+    present = {case.name for case in cases}
+    for name in manifest.cases:
+        if name not in present and group_of(name) in groups:
+            raise CasesError(f"{name}: this test case is not built yet; {REBUILD}")
+
+
+def check_unchanged(
+    manifest: Manifest, cases: Sequence[Case], directory: Path, checksums: Checksums
+) -> None:
+    """Raise CasesError for the first file that is not what the manifest says."""
+    for case in cases:
+        entry = manifest.cases.get(case.name)
+        if entry is None:
+            continue
+        for path, fault in file_faults(directory, case.name, entry, checksums):
+            raise CasesError(f"{path}: {fault}; {REBUILD}")
+    checksums.keep()
