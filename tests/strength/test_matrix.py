@@ -5,13 +5,16 @@ import re
 import msgspec
 import pytest
 
-from judge.kit.paths import DATA
+from judge.kit.paths import DATA, SUBMISSIONS
+from judge.kit.store import Store
+from judge.languages.submission import read_submission
 from judge.problem.cases import Case
 from judge.problem.declaration import load
 from judge.problem.verdict import Verdict
 from judge.sandbox.facts import RunLimits
 from judge.sandbox.sandbox import Sandbox
 from strength.analysis import analyse
+from strength.kept import KeptVerdicts
 from strength.page import page
 from strength.show import as_json
 from strength.table import Matrix, Row, build
@@ -35,30 +38,67 @@ def cases(tmp_path):
     return made
 
 
-def matrix_of(cases, cache):
+@pytest.fixture
+def store(tmp_path):
+    with Store(tmp_path / "store.sqlite") as store:
+        yield store
+
+
+def matrix_of(cases, store, problem=PROBLEM):
     with Sandbox() as sandbox:
-        return build([YES, NO], cases, PROBLEM, LIMITS, sandbox, jobs=2, cache=cache)
+        return build([YES, NO], cases, problem, sandbox, store, jobs=2)
 
 
-def test_verdicts_are_judged_once_and_again_when_a_file_changes(cases, tmp_path):
-    first = matrix_of(cases, tmp_path / "kept")
+def test_verdicts_are_judged_once_and_again_when_a_file_changes(cases, store):
+    first = matrix_of(cases, store)
     assert [list(row.verdicts.values()) for row in first.rows] == [[AC, WA], [WA, AC]]
     assert first.judged == 4
-    again = matrix_of(cases, tmp_path / "kept")
+    again = matrix_of(cases, store)
     assert (again.rows, again.judged) == (first.rows, 0)
     cases[0].input.write_text("2\n")
     cases[0].answer.write_text("NO\nNO\n")
-    changed = matrix_of(cases, tmp_path / "kept")
+    changed = matrix_of(cases, store)
     assert [list(row.verdicts.values()) for row in changed.rows] == [[WA, WA], [AC, AC]]
     assert changed.judged == 2
 
 
+def test_other_limits_are_judged_again(cases, store):
+    matrix_of(cases, store)
+    limits = msgspec.structs.replace(PROBLEM.limits, time_limit_s=6.0)
+    other = msgspec.structs.replace(PROBLEM, limits=limits)
+    assert matrix_of(cases, store, other).judged == 4
+
+
 def test_kept_verdicts_that_are_damaged_are_judged_again(cases, tmp_path):
-    first = matrix_of(cases, tmp_path / "kept")
-    for path in (tmp_path / "kept").iterdir():
-        path.write_bytes(b"{")
-    again = matrix_of(cases, tmp_path / "kept")
+    path = tmp_path / "store.sqlite"
+    with Store(path) as store:
+        first = matrix_of(cases, store)
+    path.write_bytes(b"{" * 5_000)
+    with Store(path) as store:
+        again = matrix_of(cases, store)
     assert (again.rows, again.judged) == (first.rows, 4)
+
+
+def test_judge_errors_and_words_that_are_no_verdicts_are_not_kept(cases, store):
+    kept = KeptVerdicts(store, read_submission(SUBMISSIONS / YES), LIMITS)
+    kept.keep(cases[0], Verdict.JE)
+    assert kept.look_up(cases) == {}
+    kept.keep(cases[0], Verdict.AC)
+    assert kept.look_up(cases) == {cases[0].name: Verdict.AC}
+    other = KeptVerdicts(store, read_submission(SUBMISSIONS / NO), LIMITS)
+    assert other.look_up(cases) == {}
+
+
+def test_what_a_verdict_depends_on_is_found_again_by_content(cases, store, tmp_path):
+    kept = KeptVerdicts(store, read_submission(SUBMISSIONS / YES), LIMITS)
+    kept.keep(cases[0], Verdict.AC)
+    copies = [tmp_path / "copy.in", tmp_path / "copy.ans"]
+    for copy, path in zip(copies, (cases[0].input, cases[0].answer), strict=True):
+        copy.write_bytes(path.read_bytes())
+    moved = Case("secret/large/moved", "large", *copies)
+    assert kept.look_up([cases[0], moved]) == dict.fromkeys(
+        (cases[0].name, "secret/large/moved"), Verdict.AC
+    )
 
 
 def made(**verdicts):

@@ -31,7 +31,11 @@ def test_all_programs_agree_on_a_complete_world(programs):
     assert outcome.answered == (22_090,) * 3 + (12_090,) * 3  # parts 0, 2 and the short one, 4
 
 
-@pytest.mark.parametrize("shape", COMPLETE[1:], ids=str)
+@pytest.mark.parametrize(
+    "shape",
+    [COMPLETE[1], *(pytest.param(shape, marks=pytest.mark.slow) for shape in COMPLETE[2:])],
+    ids=str,
+)
 def test_all_programs_agree_on_a_sample_of_the_larger_worlds(programs, shape):
     world = box_world(*shape)
     with Sandbox() as sandbox:

@@ -10,9 +10,10 @@ from typing import Annotated
 import msgspec
 
 from judge.kit.errors import KitError
-from strength.mutate import Mutant
+from judge.kit.paths import ROOT
+from strength.mutants.mutate import Mutant
 
-FILE = Path(__file__).with_name("equivalent.toml")
+FILE = ROOT / "strength" / "equivalent.toml"
 ANY = "*"
 
 Words = Annotated[str, msgspec.Meta(min_length=1)]
@@ -22,12 +23,12 @@ class EquivalentsError(KitError):
     """The list cannot be used; one clear line."""
 
 
-class Entry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class Equivalent(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Changes of one line that change no answer, and why.
 
-    program, function, line, nth: as in `Mutant`. mutated: what the line becomes, or
-    `*` for whatever survives of the line: when it decides how fast an answer is found,
-    never which, though a change may still crash.
+    program, function, line, nth: as in `Mutant`. mutated: what the line becomes; `*`: every
+    change of the line that survives. That is for lines which decide how fast an answer is
+    found but never which one, so that a change can be noticed only if it crashes.
     """
 
     program: Words
@@ -38,7 +39,7 @@ class Entry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     nth: Annotated[int, msgspec.Meta(ge=1)] = 1
 
     def covers(self, mutant: Mutant) -> bool:
-        """Tell whether this entry names the mutant."""
+        """Tell whether the mutant is one of these changes."""
         here = (self.program, self.function, self.line)
         if here != (mutant.program, mutant.function, mutant.line):
             return False
@@ -46,16 +47,16 @@ class Entry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     @property
     def whole_line(self) -> bool:
-        """Whether it speaks of all survivors of its line."""
+        """Whether every change of the line that survives is meant."""
         return self.mutated == [ANY]
 
 
 class _List(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    equivalent: list[Entry] = []
+    equivalent: list[Equivalent] = []
 
 
-def load(path: Path = FILE) -> list[Entry]:
-    """Return the entries in order. Raises EquivalentsError."""
+def load(path: Path = FILE) -> list[Equivalent]:
+    """Return the list in its order. Raises EquivalentsError."""
     try:
         return msgspec.convert(tomllib.loads(path.read_text(encoding="utf-8")), _List).equivalent
     except OSError as error:
@@ -64,20 +65,20 @@ def load(path: Path = FILE) -> list[Entry]:
         raise EquivalentsError(f"{path}: {error}") from None
 
 
-def entry_of(mutant: Mutant, entries: Iterable[Entry]) -> Entry | None:
-    """Return the entry that names the mutant, if one does."""
-    return next((entry for entry in entries if entry.covers(mutant)), None)
+def equivalent_of(mutant: Mutant, equivalents: Iterable[Equivalent]) -> Equivalent | None:
+    """Return what says that the mutant is equivalent; None if nothing does."""
+    return next((one for one in equivalents if one.covers(mutant)), None)
 
 
-def unused(entries: Iterable[Entry], mutants: Iterable[Mutant]) -> list[str]:
-    """Return a line for each entry, or change of one, that names no mutant any more."""
+def unused(equivalents: Iterable[Equivalent], mutants: Iterable[Mutant]) -> list[str]:
+    """Return a line for each listed change that is no mutant any more."""
     every = list(mutants)
     lines = []
-    for entry in entries:
-        own = [mutant for mutant in every if entry.covers(mutant)]
+    for one in equivalents:
+        own = [mutant for mutant in every if one.covers(mutant)]
         there = {mutant.mutated for mutant in own}
-        missing = [text for text in entry.mutated if text not in there and text != ANY]
-        if entry.whole_line and not own:
+        missing = [text for text in one.mutated if text not in there and text != ANY]
+        if one.whole_line and not own:
             missing = [ANY]
-        lines += [f"{entry.program} {entry.function}: {entry.line}  ->  {m}" for m in missing]
+        lines += [f"{one.program} {one.function}: {one.line}  ->  {text}" for text in missing]
     return lines

@@ -1,8 +1,8 @@
 """Small changes to a Python program, each a bug that one could have written.
 
-A change is a patch of the text at the place of one syntax node, so a mutant reads
-like the original but for one spot. Annotations, docstrings, and the last lines that
-only call `main` stay as they are: nothing that decides an answer stands there.
+A change replaces the text of one syntax node, so a mutant differs from the original in one
+place only. Annotations, docstrings and the last lines, which only call `main`, are left
+alone: they decide no answer.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-# Each operator with what one might have written instead: the boundary moved, the
-# sense turned round.
+# Each operator, then what one might have written instead: with another boundary, or in the
+# other direction.
 COMPARISONS: dict[type[ast.cmpop], tuple[str, ...]] = {
     ast.Lt: ("<", "<=", ">", ">="),
     ast.LtE: ("<=", "<", ">=", ">"),
@@ -52,9 +52,9 @@ class Mutant:
     """A program with one change.
 
     program: its path below the kit's root; function: the qualified name of the
-    function changed, empty for the module; line: the original text of the lines the
-    change touches, stripped; mutated: the same after it; nth: which of the changes
-    of that description, from 1; number: the first line touched; source: all of it.
+    function changed, empty for the module; line: the lines that the change touches,
+    stripped and joined; mutated: the same lines after it; nth: which of the changes with
+    this description, from 1; number: the first line touched; source: the whole mutant.
     """
 
     program: str
@@ -67,7 +67,7 @@ class Mutant:
 
     @property
     def identity(self) -> tuple[str, str, str, str, int]:
-        """What stays when lines are moved."""
+        """What stays the same when lines of the program are moved."""
         return self.program, self.function, self.line, self.mutated, self.nth
 
     def __str__(self) -> str:
@@ -84,7 +84,7 @@ class _Patch:
 
 
 class _Source:
-    """A program's text, in bytes, as the positions of syntax nodes count."""
+    """A program's text in bytes, because positions of syntax nodes count bytes."""
 
     def __init__(self, content: bytes) -> None:
         self.content = content
@@ -108,7 +108,7 @@ class _Source:
         return _Patch(self.start(node), self.end(node), text)
 
     def between(self, left: ast.AST, right: ast.AST, old: str, new: str) -> _Patch:
-        """Replace the operator `old` between two operands (and their brackets)."""
+        """Replace the operator `old` between two operands, which may stand in brackets."""
         at = self.content.index(old.encode(), self.end(left), self.start(right))
         return _Patch(at, at + len(old), new)
 
@@ -120,9 +120,9 @@ class _Source:
 
 
 def mutants(program: str, content: bytes) -> list[Mutant]:
-    """Return all mutants of a program in the order of their places; no two are the same text.
+    """Return all mutants of a program in the order of their places, each text once.
 
-    O(places * size). Raises SyntaxError if the program is none.
+    O(places * size). Raises SyntaxError if `content` is no Python program.
     """
     source = _Source(content)
     seen = {content}
@@ -150,7 +150,7 @@ def _flat(lines: bytes) -> str:
 
 
 def _nodes(node: ast.AST, function: str) -> Iterator[tuple[ast.AST, str]]:
-    """Yield every node that may be changed, and the function it is in, in order."""
+    """Yield in order every node that may be changed, and the name of its function."""
     for child in _children(node):
         inside = function
         if isinstance(child, ast.FunctionDef | ast.ClassDef):
@@ -265,7 +265,7 @@ def _continue(node: ast.Continue, source: _Source) -> Iterator[_Patch]:
 
 
 def _subscript(node: ast.Subscript, source: _Source) -> Iterator[_Patch]:
-    """Move an index or a bound by one, or leave a bound out. Constants move by themselves."""
+    """Move an index or a bound by one, or leave a bound out. `_constant` moves constants."""
     if not isinstance(node.slice, ast.Slice):
         yield from _moved(node.slice, source)
         return
@@ -281,7 +281,7 @@ def _moved(index: ast.expr, source: _Source) -> Iterator[_Patch]:
         yield source.replaced(index, f"({source.text(index)} - 1)")
 
 
-# The rule of each kind of node; Any, because each takes a node of its own kind.
+# The rule for each kind of node. Any: each rule takes nodes of its own kind only.
 RULES: tuple[tuple[Any, Callable[[Any, _Source], Iterator[_Patch]]], ...] = (
     (ast.Compare, _comparison),
     (ast.BinOp, _arithmetic),

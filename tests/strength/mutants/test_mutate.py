@@ -3,7 +3,7 @@
 import pytest
 
 from judge.kit.paths import ROOT
-from strength.mutate import mutants
+from strength.mutants.mutate import mutants
 
 PROGRAM = b'''"""Less < more."""
 import sys

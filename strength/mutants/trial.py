@@ -1,8 +1,8 @@
-"""One Python program tried on many cases, each in a child process made by a fork.
+"""One Python program tried on many cases, in one child process made by a fork.
 
-A fork costs about a millisecond, a new interpreter twenty; thousands of mutants are
-tried on dozens of small files, nearly all of which are over at once. The programs are
-ours with one change, not a stranger's: limits hold them, no sandbox does.
+A fork costs about a millisecond, a new interpreter twenty. Thousands of mutants are tried on
+dozens of small files, and most of these runs end at once. The programs are our own with one
+change, not a stranger's, so they run under limits but in no sandbox.
 """
 
 from __future__ import annotations
@@ -20,20 +20,12 @@ from types import CodeType
 from typing import NoReturn
 
 from judge.compare import compare
+from judge.problem.cases import Case
 from judge.problem.verdict import Verdict
 
-_WALL_FACTOR = 20  # a busy machine may keep a child waiting this many times its CPU limit
+_SILENCE_FACTOR = 20  # on a busy machine, a child may wait this many times its CPU limit
 _MARKS = {b"W": Verdict.WA, b"R": Verdict.RTE}
 _PAGE_BYTES = os.sysconf("SC_PAGE_SIZE")
-
-
-@dataclass(frozen=True, slots=True)
-class Trial:
-    """One test case to be tried on: its name and its two files."""
-
-    name: str
-    input: Path
-    answer: Path
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,40 +37,43 @@ class Kill:
 
 
 def first_kill(
-    source: bytes, trials: Sequence[Trial], time_limit_s: float, memory_mib: int
+    source: bytes, cases: Sequence[Case], time_limit_s: float, memory_mib: int
 ) -> Kill | None:
-    """Run a program on the trials in order, up to the first it fails; None if it fails none.
+    """Run a program on the cases in order, up to the first that it fails; None if it fails none.
 
     time_limit_s: CPU seconds per case; memory_mib: address space beyond that of this
-    process. The caller has one thread (it forks). No child is left behind.
+    process. Forks, so the caller must have one thread only. Leaves no child behind.
     """
     try:
         code = compile(source, "mutant", "exec")
     except (SyntaxError, ValueError):
-        return Kill(trials[0].name, Verdict.CE)
+        return Kill(cases[0].name, Verdict.CE)
     reader, writer = os.pipe()
     child = os.fork()
     if child == 0:
         os.close(reader)
-        _run_all(code, trials, time_limit_s, memory_mib, writer)
+        _run_all(code, cases, time_limit_s, memory_mib, writer)
     os.close(writer)
-    passed, mark = _listen(reader, child, time_limit_s * _WALL_FACTOR)
+    passed, mark = _listen(reader, child, time_limit_s * _SILENCE_FACTOR)
     os.close(reader)
     _, status = os.waitpid(child, 0)
-    if passed == len(trials):
+    if passed == len(cases):
         return None
     timed_out = mark == b"T" or (
         os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGPROF, signal.SIGKILL)
     )
     verdict = Verdict.TLE if timed_out else _MARKS.get(mark, Verdict.RTE)
-    return Kill(trials[passed].name, verdict)
+    return Kill(cases[passed].name, verdict)
 
 
-def _listen(reader: int, child: int, wall_s: float) -> tuple[int, bytes]:
-    """Count the cases passed, up to another mark, the end, or a long silence (mark T)."""
+def _listen(reader: int, child: int, silence_s: float) -> tuple[int, bytes]:
+    """Return how many cases are passed, and the mark after that: empty if the child ended.
+
+    A child that says nothing for `silence_s` seconds is killed; the mark is then T.
+    """
     passed = 0
     while True:
-        ready, _, _ = select.select([reader], [], [], wall_s)
+        ready, _, _ = select.select([reader], [], [], silence_s)
         if not ready:
             os.kill(child, signal.SIGKILL)
             return passed, b"T"
@@ -90,17 +85,17 @@ def _listen(reader: int, child: int, wall_s: float) -> tuple[int, bytes]:
 
 def _run_all(
     code: CodeType,
-    trials: Sequence[Trial],
+    cases: Sequence[Case],
     time_limit_s: float,
     memory_mib: int,
     writer: int,
 ) -> NoReturn:
-    """In the child: run the cases, a mark into the pipe after each, and end the process."""
+    """In the child: run the cases, write a mark into the pipe after each, end the process."""
     try:
-        signal.signal(signal.SIGPROF, signal.SIG_DFL)  # the end of a case's CPU time: of the child
+        signal.signal(signal.SIGPROF, signal.SIG_DFL)  # too much CPU time ends the child
         _limit_memory(memory_mib)
-        for trial in trials:
-            content, answer = trial.input.read_bytes(), trial.answer.read_bytes()
+        for case in cases:
+            content, answer = case.input.read_bytes(), case.answer.read_bytes()
             signal.setitimer(signal.ITIMER_PROF, time_limit_s)
             mark = _run(code, content, answer)
             signal.setitimer(signal.ITIMER_PROF, 0)
@@ -112,7 +107,7 @@ def _run_all(
 
 
 def _run(code: CodeType, content: bytes, answer: bytes) -> bytes:
-    """Run the program on one input; return the mark of what came of it."""
+    """Run the program on one input; return the mark of its result: `.` passed, W, or R."""
     sys.stdin = io.TextIOWrapper(io.BytesIO(content))
     printed = io.BytesIO()
     sys.stdout = io.TextIOWrapper(printed)

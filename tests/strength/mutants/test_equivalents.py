@@ -4,17 +4,17 @@ import pytest
 
 from judge.kit.paths import ROOT
 from judge.problem.declaration import load
-from strength import equivalents
-from strength.campaign import programs
-from strength.equivalents import Entry, EquivalentsError, entry_of, unused
-from strength.mutate import mutants
+from strength.mutants import equivalents
+from strength.mutants.campaign import programs
+from strength.mutants.equivalents import Equivalent, EquivalentsError, equivalent_of, unused
+from strength.mutants.mutate import mutants
 
 PROGRAM = b"def f(x):\n    return x + 1\n"
 
 
 def entry(**changes):
     fields = {"function": "f", "line": "return x + 1", "mutated": ["return x - 1"], "proof": "so"}
-    return Entry(program="p.py", **fields | changes)
+    return Equivalent(program="p.py", **fields | changes)
 
 
 def test_every_entry_names_a_mutant_of_today():
@@ -24,10 +24,10 @@ def test_every_entry_names_a_mutant_of_today():
 
 def test_an_entry_names_its_mutant_only():
     found = mutants("p.py", PROGRAM)
-    assert [m.mutated for m in found if entry_of(m, [entry()])] == ["return x - 1"]
-    assert not any(entry_of(m, [entry(function="g")]) for m in found)
-    assert not any(entry_of(m, [entry(nth=2)]) for m in found)
-    assert all(entry_of(m, [entry(mutated=["*"])]) for m in found)
+    assert [m.mutated for m in found if equivalent_of(m, [entry()])] == ["return x - 1"]
+    assert not any(equivalent_of(m, [entry(function="g")]) for m in found)
+    assert not any(equivalent_of(m, [entry(nth=2)]) for m in found)
+    assert all(equivalent_of(m, [entry(mutated=["*"])]) for m in found)
 
 
 def test_entries_without_a_mutant_are_named():

@@ -4,29 +4,30 @@ import time
 
 import pytest
 
+from judge.problem.cases import Case
 from judge.problem.verdict import Verdict
-from strength.trial import Kill, Trial, first_kill
+from strength.mutants.trial import Kill, first_kill
 
 ECHO = b"import sys\nprint(sys.stdin.read())\n"
 
 
 @pytest.fixture
-def trials(tmp_path):
+def cases(tmp_path):
     made = []
     for name, text in (("a", "YES\n"), ("b", "NO\n")):
         (tmp_path / f"{name}.in").write_text(text)
         (tmp_path / f"{name}.ans").write_text(text)
-        made.append(Trial(name, tmp_path / f"{name}.in", tmp_path / f"{name}.ans"))
+        made.append(Case(name, ".", tmp_path / f"{name}.in", tmp_path / f"{name}.ans"))
     return made
 
 
-def test_a_right_program_passes(trials):
-    assert first_kill(ECHO, trials, 5, 512) is None
-    assert first_kill(ECHO + b"sys.exit(0)", trials, 5, 512) is None
+def test_a_right_program_passes(cases):
+    assert first_kill(ECHO, cases, 5, 512) is None
+    assert first_kill(ECHO + b"sys.exit(0)", cases, 5, 512) is None
 
 
-def test_white_space_and_case_do_not_matter(trials):
-    assert first_kill(b"print('  yes' if input() == 'YES' else 'no')", trials, 5, 512) is None
+def test_white_space_and_case_do_not_matter(cases):
+    assert first_kill(b"print('  yes' if input() == 'YES' else 'no')", cases, 5, 512) is None
 
 
 @pytest.mark.parametrize(
@@ -45,14 +46,14 @@ def test_white_space_and_case_do_not_matter(trials):
         (b"print(", "a", Verdict.CE),
     ],
 )
-def test_the_first_case_that_fails_and_how(trials, source, case, verdict):
-    assert first_kill(source, trials, 0.3, 256) == Kill(case, verdict)
+def test_the_first_case_that_fails_and_how(cases, source, case, verdict):
+    assert first_kill(source, cases, 0.3, 256) == Kill(case, verdict)
 
 
-def test_the_time_limit_is_of_each_case(trials):
+def test_the_time_limit_is_of_each_case(cases):
     # Each case takes most of the limit: together they are over it.
     slow = ECHO + b"import time\nend = time.process_time() + 0.3\n"
     slow += b"while time.process_time() < end: pass\n"
     start = time.process_time()
-    assert first_kill(slow, trials, 0.5, 512) is None
+    assert first_kill(slow, cases, 0.5, 512) is None
     assert time.process_time() - start < 0.3  # the child's time, not this process's
