@@ -39,10 +39,11 @@ def run(
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # whatever a file is called, it can be said
             stream.reconfigure(errors="backslashreplace")
+    told: tuple[type[Exception], ...] = (KitError, *errors)
     try:
         status = _status(command)
         sys.stdout.flush()
-    except (KitError, *errors) as error:
+    except told as error:
         complain(f"{name}: {error}")
         return FAILED
     except KeyboardInterrupt:
