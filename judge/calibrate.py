@@ -37,42 +37,8 @@ from judge.sandbox.facts import RunLimits
 from judge.sandbox.probe import probe
 from judge.sandbox.sandbox import Sandbox
 
-BOUND_FACTOR times what is asked of it, and on its
-first case over that: it takes "at least" so long. The scale of this machine that was kept for
-judgings is forgotten.
-"""
-
-from __future__ import annotations
-
-import argparse
-import math
-import re
-import sys
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from functools import partial
-
-from rich.console import Console
-from rich.table import Table
-
-from judge.judging import JudgeError
-from judge.machine import forget_scale, reference_cpu_s
-from judge.kit.command import run
-from judge.kit.files import write_whole
-from judge.kit.paths import DATA, PROBLEM_FILE, ROOT
-from judge.languages.submission import CompileError, compile_submission, read_submission
-from judge.languages.table import LanguageError
-from judge.pool import run_case
-from judge.problem.cases import Case, CasesError, check_built, find_cases
-from judge.problem.declaration import Problem, SpecError, load
-from judge.problem.verdict import Verdict
-from judge.sandbox.facts import RunLimits
-from judge.sandbox.probe import probe
-from judge.sandbox.sandbox import Sandbox, SandboxError
-
 BOUND_FACTOR = 2.0
 STEP_S = 0.5  # limits are multiples of this
-
 
 
 @dataclass(frozen=True, slots=True)
