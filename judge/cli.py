@@ -44,6 +44,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Judge as the arguments say and return the exit status."""
     signal.signal(signal.SIGTERM, _interrupt)
     signal.signal(signal.SIGHUP, _interrupt)
+    if sys.stdout is None:  # a judging is worth its exit status and reports alone
+        sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115 (to the end of the process)
     interrupted = "interrupted, nothing is left running"
     command = partial(_command, arguments)
     return run("checker.py", command, interrupted=interrupted, reader_gone=EXIT_ERROR)

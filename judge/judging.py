@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from concurrent.futures import Executor, Future
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -14,7 +14,7 @@ from judge.kit.store import Store
 from judge.kit.text import printable_name
 from judge.languages.submission import CompileError, Submission
 from judge.machine import kept_scale
-from judge.pool import Job, Pool
+from judge.pool import Job, Pending, Pool
 from judge.problem.data import Data, load_data
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
@@ -162,7 +162,7 @@ class _TimeLimit:
         return self.limits
 
 
-def _wall(pool: Pool, compiling: Future[str | None], submission: Submission) -> str | None:
+def _wall(pool: Pool, compiling: Pending[str | None], submission: Submission) -> str | None:
     """Return the wall around the runs. Raises CompileError; JudgeError where none works."""
     try:
         return pool.result(compiling)

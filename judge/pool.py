@@ -16,8 +16,9 @@ from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from types import TracebackType
-from typing import Any, Self, TypeVar
+from typing import Any, Generic, Self, TypeVar
 
+from judge.kit.errors import KitError
 from judge.languages.submission import Program, Submission, compile_submission
 from judge.machine import measure_scale
 from judge.problem.cases import Case
@@ -127,9 +128,12 @@ def prepare(job: Job) -> str | None:
 
 
 def run_task(job: Job, limits: RunLimits, case: Case) -> CaseResult:
-    """Task: run the submission on one test case."""
-    with _WORKERS.using(job) as worker:
-        return run_case(worker.sandbox, worker.program, limits, case)
+    """Task: run the submission on one test case. Raises nothing: a worker's failure is JE."""
+    try:
+        with _WORKERS.using(job) as worker:
+            return run_case(worker.sandbox, worker.program, limits, case)
+    except KitError as error:
+        return CaseResult(case, Verdict.JE, 0.0, 0.0, 0.0, str(error))
 
 
 def scale_task(job: Job) -> Scale | None:
@@ -138,14 +142,23 @@ def scale_task(job: Job) -> Scale | None:
         return measure_scale(job.problem, worker.sandbox)
 
 
-@dataclass(slots=True)
-class _Running:
-    """A run under way. beside_others: others may go on beside it."""
+@dataclass(frozen=True, slots=True)
+class Pending(Generic[T]):
+    """A task that an executor carries out."""
+
+    future: Future[T]
+    task: Callable[..., T]
+    arguments: tuple[Any, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Run:
+    """A run under way. beside_others: others may go on beside it; pending None: it is not run."""
 
     case: Case
     limits: RunLimits
     beside_others: bool
-    future: Future[CaseResult] | None  # None: it is not run
+    pending: Pending[CaseResult] | None
 
 
 class Pool:
@@ -175,23 +188,25 @@ class Pool:
         self._threads.shutdown()
         _WORKERS.close(self._job.key)  # a thread may just have begun with it
 
-    def prepare(self) -> Future[str | None]:
-        """Make a worker ready; see `prepare`."""
-        return self._submit(prepare, self._job)
+    def prepare(self) -> Pending[str | None]:
+        """Begin to make a worker ready; see the task `prepare`."""
+        return self._start(prepare, self._job)
 
     def measure_scale(self) -> Scale | None:
         """Measure the machine's speed; see `scale_task`."""
-        return self.result(self._submit(scale_task, self._job))
+        return self.result(self._start(scale_task, self._job))
 
-    def result(self, future: Future[T]) -> T:
-        """Wait for a result, a second at a time.
-
-        Python handles a signal only between two of its steps, so one that comes just before a
-        wait without an end would never be handled.
-        """
-        while wait([future], timeout=1).not_done:
-            pass
-        return future.result()
+    def result(self, pending: Pending[T]) -> T:
+        """Wait for a result. Raises what the task raises; a broken worker is no reason to."""
+        _wait_for(pending.future)
+        try:
+            return pending.future.result()
+        except KitError:
+            raise
+        except Exception:
+            again = self._threads.submit(pending.task, *pending.arguments)
+            _wait_for(again)
+            return again.result()
 
     def in_order(
         self,
@@ -208,20 +223,21 @@ class Pool:
         repeated, alone, that run decides (see `judge.sandbox.retry`).
         """
         waiting = deque(cases)
-        running: deque[_Running] = deque()
+        running: deque[_Run] = deque()
         stopped: set[str] = set()  # groups with a failure, if that ends a group
         known = False  # whether `limits` are those of this machine
         while waiting or running:
             while waiting and len(running) < self._jobs:
-                running.append(self._start(waiting.popleft(), limits, stopped))
+                running.append(self._run(waiting.popleft(), limits, stopped))
             run = running.popleft()
-            if run.future is None or run.case.group in stopped:
+            if run.pending is None or run.case.group in stopped:
                 yield not_run(run.case, EARLIER_FAILED)
                 continue
-            result = self._result(run)
+            result = self.result(run.pending)
             if result.verdict is Verdict.TLE:
                 for other in running:
-                    self._await(other)
+                    if other.pending is not None:
+                        _wait_for(other.pending.future)
                 if not known:
                     limits, known = limits_here(), True
                 if limits != run.limits or repeat_alone(
@@ -232,32 +248,29 @@ class Pool:
                 stopped.add(run.case.group)
             yield result
 
-    def _start(self, case: Case, limits: RunLimits, stopped: set[str]) -> _Running:
-        future = None
-        if case.group not in stopped:
-            future = self._submit(run_task, self._job, limits, case)
-        return _Running(case, limits, self._jobs > 1, future)
-
-    def _submit(self, task: Callable[..., T], *arguments: Any) -> Future[T]:
-        try:
-            return self._executor.submit(task, *arguments)
-        except RuntimeError:  # a broken pool takes no more tasks
-            return self._threads.submit(task, *arguments)
-
-    def _result(self, run: _Running) -> CaseResult:
-        assert run.future is not None
-        try:
-            return self.result(run.future)
-        except Exception:
-            again = self._threads.submit(run_task, self._job, run.limits, run.case)
-            return self.result(again)
-
-    def _await(self, run: _Running) -> None:
-        while run.future is not None and wait([run.future], timeout=1).not_done:
-            pass
+    def _run(self, case: Case, limits: RunLimits, stopped: set[str]) -> _Run:
+        runs = case.group not in stopped
+        pending = self._start(run_task, self._job, limits, case) if runs else None
+        return _Run(case, limits, self._jobs > 1, pending)
 
     def _repeated(self, first: CaseResult, limits: RunLimits) -> CaseResult:
-        future = self._submit(run_task, self._job, limits, first.case)
-        result = self._result(_Running(first.case, limits, False, future))
+        result = self.result(self._start(run_task, self._job, limits, first.case))
         changed = first.verdict if result.verdict is not first.verdict else None
         return replace(result, retried=True, first_verdict=changed)
+
+    def _start(self, task: Callable[..., T], *arguments: Any) -> Pending[T]:
+        try:
+            future = self._executor.submit(task, *arguments)
+        except RuntimeError:  # a broken executor takes no more tasks
+            future = self._threads.submit(task, *arguments)
+        return Pending(future, task, arguments)
+
+
+def _wait_for(future: Future[Any]) -> None:
+    """Wait, a second at a time.
+
+    Python handles a signal only between two of its steps, so one that comes just before a
+    wait without an end would never be handled.
+    """
+    while wait([future], timeout=1).not_done:
+        pass

@@ -14,7 +14,8 @@ from judge.sandbox.keeper.protocol import Facts, Request, Stop
 from judge.sandbox.keeper.tree import Tree, peak_mib
 
 CONTROL = 0
-SAMPLE_S = 0.02
+FIRST_SAMPLE_S, SAMPLE_S = 0.005, 0.02  # a short run shows its memory only early
+SAMPLE_GROWTH = 0.4
 STARVED_AT_MOST_S = 60.0
 
 
@@ -79,7 +80,7 @@ def watch(
     for fd in sink.open_fds:
         poll.register(fd, select.POLLIN)
     poll.register(feeder.fd, select.POLLOUT)
-    next_sample = started + SAMPLE_S / 4
+    next_sample = started + FIRST_SAMPLE_S
     try:
         while True:
             wait_s = max(0.0, next_sample - time.monotonic())
@@ -96,7 +97,8 @@ def watch(
             now = time.monotonic()
             if now < next_sample:
                 continue
-            next_sample = now + SAMPLE_S
+            growing_s = max(FIRST_SAMPLE_S, SAMPLE_GROWTH * (now - started))
+            next_sample = now + min(growing_s, SAMPLE_S)
             tree.sample(request.memory_mib)
             if tree.memory_mib > request.memory_mib:
                 return Stop.MEMORY
