@@ -4,7 +4,8 @@ Every submission declared AC or TLE in a group is timed there. The limit must be
 `ac_to_time_limit` times the slowest accepted run, and the fastest slow submission must
 take `time_limit_to_tle` times the limit (the time multipliers of the Kattis problem
 package format). A slow one is ended at BOUND_FACTOR times what is asked of it, and on its
-first case over that: it takes "at least" so long.
+first case over that: it takes "at least" so long. The scale of this machine that was kept for
+judgings is forgotten.
 """
 
 from __future__ import annotations
@@ -20,25 +21,24 @@ from functools import partial
 from rich.console import Console
 from rich.table import Table
 
-from judge.judging import JudgeError, reference_cpu_s
+from judge.judging import JudgeError
 from judge.kit.command import run
 from judge.kit.files import write_whole
-from judge.kit.paths import DATA, PROBLEM_FILE, ROOT
-from judge.languages.submission import CompileError, compile_submission, read_submission
-from judge.languages.table import LanguageError
-from judge.pool import run_case
-from judge.problem.cases import Case, CasesError, check_built, find_cases
-from judge.problem.declaration import Problem, SpecError, load
+from judge.kit.paths import PROBLEM_FILE, SUBMISSIONS
+from judge.kit.store import Store
+from judge.languages.submission import compile_submission, read_submission
+from judge.machine import forget_scale, reference_cpu_s
+from judge.problem.cases import Case
+from judge.problem.data import load_data
+from judge.problem.declaration import Problem, load
 from judge.problem.verdict import Verdict
+from judge.run import run_case
 from judge.sandbox.facts import RunLimits
 from judge.sandbox.probe import probe
-from judge.sandbox.sandbox import Sandbox, SandboxError
+from judge.sandbox.sandbox import Sandbox
 
 BOUND_FACTOR = 2.0
-REFERENCE_RUNS = 5
 STEP_S = 0.5  # limits are multiples of this
-
-ERRORS = (CasesError, CompileError, JudgeError, LanguageError, SandboxError, SpecError)
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,7 +96,7 @@ def measure(
 
     Raises CompileError, LanguageError, SandboxError; JudgeError for another verdict than declared.
     """
-    path = ROOT / "submissions" / name
+    path = SUBMISSIONS / name
     program = compile_submission(read_submission(path), problem.limits, sandbox)
     over_s = problem.limits.time_limit_s * problem.limits.time_multipliers.time_limit_to_tle
     limits = RunLimits(over_s * BOUND_FACTOR, problem.limits.memory_mib, problem.limits.output_mib)
@@ -108,7 +108,7 @@ def measure(
             continue
         runs = []
         for case in sorted(own, key=_size, reverse=True):  # what is slow is slow there first
-            result = run_case(sandbox, program.command, limits, case)
+            result = run_case(sandbox, program, limits, case)
             ended = result.verdict is Verdict.TLE
             if result.verdict is not Verdict.AC and expected != {result.verdict}:
                 said = f"{result.verdict} ({result.message})"
@@ -147,12 +147,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--only", metavar="TEXT", default="", help="submissions whose name has TEXT"
     )
+    command = partial(_calibrate, parser, arguments)
+    return run("calibrate", command, interrupted="interrupted, nothing was written")
+
+
+def _calibrate(parser: argparse.ArgumentParser, arguments: Sequence[str] | None) -> int:
     asked = parser.parse_args(arguments)
-    command = partial(_calibrate, asked.only, asked.write)
-    return run("calibrate", command, ERRORS, "interrupted, nothing was written")
-
-
-def _calibrate(only: str, write: bool) -> int:
+    only, write = asked.only, asked.write
     problem = load()
     names = [
         name
@@ -161,11 +162,12 @@ def _calibrate(only: str, write: bool) -> int:
     ]
     if not names:
         raise JudgeError(f"--only {only!r}: expected part of a name in accepted/ or a slow one's")
-    cases = find_cases(DATA, problem)
-    check_built(cases, problem.group_names, DATA)
+    with Store() as store:
+        cases = load_data(problem, store=store).chosen
     console = Console(highlight=False, soft_wrap=True)
+    forget_scale()  # the next judging that needs it measures this machine again
     with Sandbox(probe().wall) as sandbox:
-        reference_s = round(reference_cpu_s(problem, sandbox, REFERENCE_RUNS), 2)
+        reference_s = round(reference_cpu_s(problem, sandbox), 2)
         console.print(f"reference on {problem.calibration.case}: {reference_s} s of CPU time")
         times = [
             time

@@ -7,7 +7,6 @@ import signal
 from dataclasses import dataclass
 
 from judge.compare import Mismatch
-from judge.kit.text import printable_lines
 from judge.problem.verdict import Verdict
 from judge.sandbox.facts import Facts, RunLimits, Stop
 
@@ -20,12 +19,15 @@ class Judgement:
     message: str = ""
 
 
-def decide(facts: Facts, limits: RunLimits, mismatch: Mismatch | None) -> Judgement:
+def decide(
+    facts: Facts, limits: RunLimits, mismatch: Mismatch | None, reason: str = ""
+) -> Judgement:
     """Return the judgement of one run. Pure.
 
-    A limit exceeded outweighs how the program ended, which outweighs what it
-    printed: a program ended from outside has no exit status of its own, and the
-    output of one that crashed says nothing.
+    mismatch: the first difference between output and answer; reason: what the program said of
+    its own crash. A limit exceeded outweighs how the program ended, which outweighs what it
+    printed: a program ended from outside has no exit status of its own, and the output
+    of one that crashed says nothing.
     """
     if facts.stopped is Stop.PROCESSES:
         return Judgement(Verdict.RTE, f"more than {limits.processes} processes at once")
@@ -42,22 +44,26 @@ def decide(facts: Facts, limits: RunLimits, mismatch: Mismatch | None) -> Judgem
         return Judgement(
             Verdict.TLE, f"{facts.cpu_s:.2f} s of CPU time, limit {limits.time_limit_s:.2f} s"
         )
-    if facts.stopped is Stop.WALL:
+    if facts.stopped is Stop.ELAPSED:
         return Judgement(
             Verdict.TLE,
-            f"slept or waited: {facts.cpu_s:.2f} s of CPU time in {facts.wall_s:.1f} s",
+            f"slept or waited: {facts.cpu_s:.2f} s of CPU time in {facts.elapsed_s:.1f} s",
         )
     if facts.signal is not None:
-        return Judgement(Verdict.RTE, _with_stderr(_signal_name(facts.signal), facts.stderr))
+        return Judgement(Verdict.RTE, _with_reason(_signal_name(facts.signal), reason))
     if facts.exit_status != 0:
-        return Judgement(Verdict.RTE, _with_stderr(_exit_name(facts), facts.stderr))
+        return Judgement(Verdict.RTE, _with_reason(_exit_name(facts), reason))
     if mismatch is not None:
         return Judgement(Verdict.WA, str(mismatch))
     return Judgement(Verdict.AC)
 
 
+def _with_reason(what: str, reason: str) -> str:
+    return f"{what}: {reason}" if reason else what
+
+
 def _exit_name(facts: Facts) -> str:
-    """Name an exit status; a shell, and a wall, pass a signal on as 128 and its number."""
+    """Name an exit status; shells and walls turn a signal into 128 plus its number."""
     status = facts.exit_status or 0
     if status - 128 in signal.valid_signals():
         return f"exit status {status} (its own, or {_signal_name(status - 128)})"
@@ -70,10 +76,3 @@ def _signal_name(number: int) -> str:
     except ValueError:
         return f"ended by signal {number}"
     return f"ended by {name.name} ({signal.strsignal(number)})"
-
-
-def _with_stderr(what: str, stderr: bytes) -> str:
-    """Add the line of the standard error that says why: in most languages the last one."""
-    lines = printable_lines(stderr, lines=1000, width=120).splitlines()
-    lines += [line for line in lines if line.startswith("Exception in thread")][:1]  # Java
-    return f"{what}: {lines[-1]}" if lines else what

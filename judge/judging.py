@@ -1,50 +1,38 @@
-"""All runs of one submission: compiled once, every case judged, results in order."""
+"""The judging of one submission: every chosen test case, results in order."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
-from concurrent.futures import Executor, ThreadPoolExecutor
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from judge.kept import KeptVerdicts
 from judge.kit.errors import KitError
-from judge.kit.paths import DATA, ROOT
+from judge.kit.paths import BRUTE_FORCE, DATA, REFERENCE, SUBMISSIONS
+from judge.kit.store import Store
 from judge.kit.text import printable_name
-from judge.languages.submission import CompileError, Submission, compile_submission, read_submission
-from judge.pool import Runs, run_case
-from judge.problem.cases import Case, check_built, find_cases, select
+from judge.languages.submission import CompileError, Submission
+from judge.machine import kept_scale
+from judge.pool import Job, Pending, Pool
+from judge.problem.data import Data, load_data
 from judge.problem.declaration import Problem
-from judge.problem.manifest import check_complete, check_sums, load_manifest
 from judge.problem.verdict import Verdict
-from judge.results import CaseResult, Judging, first_failure, group_results, not_run
+from judge.results import CaseResult, Judging, Scale, first_failure, group_results, not_run
 from judge.sandbox.facts import RunLimits
-from judge.sandbox.probe import probe
-from judge.sandbox.sandbox import Sandbox
-from judge.sandbox.wall import Wall
-
-REFERENCE = ROOT / "solution.py"
-SUBMISSIONS = ROOT / "submissions"
-CALIBRATION_LIMIT_FACTOR = 100.0  # a machine slower than this is out of order
-SCALE_RUNS = 3
+from judge.sandbox.probe import NoWallError
 
 
 class JudgeError(KitError):
-    """The judge cannot judge; one clear line."""
-
-
-def default_jobs() -> int:
-    """Half of the processors: the two threads of one core would slow each other down."""
-    return max(1, len(os.sched_getaffinity(0)) // 2)
+    """The judge cannot judge."""
 
 
 @dataclass(frozen=True, slots=True)
 class Options:
     """What to judge on, and how. Empty groups or globs: all.
 
-    time_limit_s: overrides the declared limit, and then nothing is scaled;
-    scale: the machine's speed scale if it is known already (see `machine_scale`).
-    no_wall: run even code that nobody vouches for when no wall stands.
+    time_limit_s: instead of the declared limit, and not scaled to this machine.
+    no_wall: run even code that nobody vouches for when no wall works.
     """
 
     data: Path = DATA
@@ -52,7 +40,6 @@ class Options:
     globs: tuple[str, ...] = ()
     jobs: int = 1
     time_limit_s: float | None = None
-    scale: float | None = None
     stop_on_first: bool = False
     no_wall: bool = False
 
@@ -76,148 +63,117 @@ def judge(
 ) -> Judging:
     """Judge `submission` and return all results.
 
-    executor: where the runs are made, `options.jobs` at a time; threads if None.
-    Raises CasesError, LanguageError, SandboxError or JudgeError when nothing can
-    be judged; whatever happens to a single run ends as that case's JE. On any
-    exception, Ctrl-C included, no process and no file is left.
+    executor: carries out the runs, `options.jobs` at a time; threads if None. Its workers
+    need the kit, the data at the same paths, and a place for scratch files.
+    Raises KitError when nothing can be judged; whatever happens to a single run ends as
+    that case's JE. On any exception, Ctrl-C included, no process and no file is left.
     """
     options, events = options or Options(), events or Events()
-    all_cases, cases = _chosen(problem, options)
-    wall = _wall_for(submission, problem, options)
-    with Sandbox(wall) as sandbox:
-        scale = options.scale
-        if scale is None and options.time_limit_s is None:
-            events.phase("timing the reference solution")
-            scale = machine_scale(problem, sandbox)
-        declared_s = problem.limits.time_limit_s
-        limit_s = options.time_limit_s or declared_s * (scale or 1.0)
-        limits = RunLimits(limit_s, problem.limits.memory_mib, problem.limits.output_mib)
-        outcome = Judging(
-            submission=printable_name(submission.name),
-            language=submission.language.name,
-            verdict=Verdict.AC,
-            score=0,
-            max_score=problem.max_score,
-            partial=options.data != DATA or len(cases) < len(all_cases),
-            time_limit_s=limit_s,
-            declared_s=declared_s,
-            memory_mib=limits.memory_mib,
-            scale=scale,
-            groups=(),
-            wall=None if wall is None else str(wall),
-        )
-        events.phase(f"compiling {outcome.submission} ({submission.language.name})")
+    without_wall = options.no_wall or _vouched_for(submission, problem)
+    job = Job(submission, problem, without_wall)
+    events.phase(f"compiling {printable_name(submission.name)} ({submission.language.name})")
+    with Store() as store, Pool(job, options.jobs, executor) as pool:
+        compiling = pool.prepare()  # goes on while the data is checked
+        data = load_data(problem, options.data, options.groups, options.globs, store)
+        time_limit = _TimeLimit(problem, options.time_limit_s, pool, events)
+        results: list[CaseResult] = []
+        message, wall = "", None
         try:
-            program = compile_submission(submission, problem.limits, sandbox)
+            wall = _wall(pool, compiling, submission)
         except CompileError as error:
-            left_out = [not_run(case, "does not compile") for case in cases]
-            groups = tuple(
-                replace(group, verdict=Verdict.CE, score=0)
-                for group in group_results(problem, all_cases, left_out)
-            )
-            return replace(outcome, verdict=Verdict.CE, groups=groups, message=str(error))
-        events.start(len(cases))
-        results = []
-        own = ThreadPoolExecutor(options.jobs)  # starts no thread that is not used
-        try:
-            runs = Runs(
-                sandbox,
-                program,
-                limits,
-                executor or own,
-                jobs=options.jobs,
+            message = str(error)
+        else:
+            events.start(len(data.chosen))
+            for result in pool.in_order(
+                data.chosen,
+                time_limit.limits,
                 stop_on_first=options.stop_on_first,
-            )
-            for result in runs.in_order(cases):
+                limits_here=time_limit.limits_here,
+            ):
                 events.result(result)
                 results.append(result)
-        except BaseException:
-            sandbox.close()  # ends the runs, so that their threads end too
-            raise
-        finally:
-            own.shutdown(cancel_futures=True)
-        groups = group_results(problem, all_cases, results)
-        return replace(
-            outcome,
-            verdict=first_failure(group.verdict for group in groups),
-            score=sum(group.score for group in groups),
-            groups=groups,
+            declared = replace(time_limit.limits, time_limit_s=time_limit.declared_s)
+            kept = KeptVerdicts(store, submission, declared, data.manifest)
+            kept.keep({r.case.name: r.verdict for r in results if r.verdict is not None})
+        return _judging(submission, problem, data, time_limit, results, message, wall)
+
+
+def _judging(
+    submission: Submission,
+    problem: Problem,
+    data: Data,
+    time_limit: _TimeLimit,
+    results: list[CaseResult],
+    message: str,
+    wall: str | None,
+) -> Judging:
+    """Return the outcome. message: why the submission does not compile, empty if it does."""
+    if message:
+        results = [not_run(case, "does not compile") for case in data.chosen]
+    groups = group_results(problem, data.all, results)
+    if message:
+        groups = tuple(replace(group, verdict=Verdict.CE, score=0) for group in groups)
+    return Judging(
+        submission=printable_name(submission.name),
+        language=submission.language.name,
+        verdict=first_failure(group.verdict for group in groups),
+        score=sum(group.score for group in groups),
+        max_score=problem.max_score,
+        partial=data.partial,
+        time_limit_s=time_limit.limits.time_limit_s,
+        declared_s=time_limit.declared_s,
+        memory_mib=time_limit.limits.memory_mib,
+        scale=time_limit.scale,
+        groups=groups,
+        message=message,
+        wall=wall,
+    )
+
+
+class _TimeLimit:
+    """The limits of a judging, scaled to this machine as soon as a verdict depends on it.
+
+    The scale can only raise the time limit, so it is not measured before a run goes over the
+    declared one; a scale that was measured earlier holds from the beginning.
+    """
+
+    def __init__(self, problem: Problem, asked_s: float | None, pool: Pool, events: Events) -> None:
+        self._pool = pool
+        self._events = events
+        self._asked_for = asked_s is not None
+        self.declared_s = problem.limits.time_limit_s
+        self.scale: Scale | None = None if self._asked_for else kept_scale(problem)
+        self._base = RunLimits(
+            asked_s or self.declared_s, problem.limits.memory_mib, problem.limits.output_mib
         )
 
+    @property
+    def limits(self) -> RunLimits:
+        """The limits that hold, as far as the machine is known."""
+        factor = 1.0 if self.scale is None else self.scale.factor
+        return replace(self._base, time_limit_s=self._base.time_limit_s * factor)
 
-def _chosen(problem: Problem, options: Options) -> tuple[list[Case], list[Case]]:
-    """Return all cases of the data, and the chosen ones, held to the manifest."""
-    manifest = load_manifest(options.data)
-    all_cases = find_cases(options.data, problem)
-    if options.data == DATA:
-        wanted = options.groups or problem.group_names
-        check_built(all_cases, [g for g in problem.group_names if g in wanted], options.data)
-        check_complete(manifest, all_cases, wanted)
-    cases = select(all_cases, options.groups, options.globs)
-    check_sums(manifest, cases)
-    return all_cases, cases
-
-
-def _wall_for(submission: Submission, problem: Problem, options: Options) -> Wall | None:
-    """Return the wall that stands; None only for code that is trusted or explicitly allowed.
-
-    The kit vouches for its reference, brute force and declared submissions.
-    """
-    found = probe()
-    if found.wall is not None or options.no_wall:
-        return found.wall
-    vouched = {REFERENCE, ROOT / "brute.py", *(SUBMISSIONS / name for name in problem.submissions)}
-    if Path(submission.name).resolve() in vouched:
-        return None
-    raise JudgeError(
-        f"no wall stands ({found.why}), so {submission.name} could read, change and send "
-        "whatever you can; if you trust it, say --no-wall"
-    )
+    def limits_here(self) -> RunLimits:
+        """Return the limits as they hold on this machine, which may have to be measured now."""
+        if self.scale is None and not self._asked_for:
+            self._events.phase("timing the reference solution")
+            self.scale = self._pool.measure_scale()
+            self._events.phase("judging")
+        return self.limits
 
 
-def machine_scale(problem: Problem, sandbox: Sandbox) -> float | None:
-    """Return how many times slower than the calibrating machine this one is, at least 1.
-
-    None when the calibration case is not built. Raises JudgeError as `reference_cpu_s`.
-    """
-    declared_s = problem.calibration.reference_cpu_s
-    if not calibration_case(problem).input.is_file():
-        return None
-    return max(1.0, reference_cpu_s(problem, sandbox, SCALE_RUNS, enough_s=declared_s) / declared_s)
-
-
-def calibration_case(problem: Problem) -> Case:
-    """Return the case that machines are compared on; it may not be built."""
-    name = problem.calibration.case
-    stem = DATA / name
-    return Case(name, "", stem.with_name(stem.name + ".in"), stem.with_name(stem.name + ".ans"))
-
-
-def reference_cpu_s(problem: Problem, sandbox: Sandbox, runs: int, enough_s: float = 0.0) -> float:
-    """Return the CPU seconds of the reference on the calibration case: the least of `runs`.
-
-    The least, as what disturbs a measurement only ever adds to it; no more runs than it
-    takes to stay within `enough_s`. Raises JudgeError if the reference fails.
-    """
-    case = calibration_case(problem)
-    check_sums(load_manifest(DATA), [case])
+def _wall(pool: Pool, compiling: Pending[str | None], submission: Submission) -> str | None:
+    """Return the wall around the runs. Raises CompileError; JudgeError where none works."""
     try:
-        reference = compile_submission(read_submission(REFERENCE), problem.limits, sandbox)
-    except CompileError as error:
-        raise JudgeError(f"the reference does not compile: {error}") from None
-    limits = RunLimits(
-        problem.calibration.reference_cpu_s * CALIBRATION_LIMIT_FACTOR,
-        problem.limits.memory_mib,
-        problem.limits.output_mib,
-    )
-    least_s = limits.time_limit_s
-    for _ in range(runs):
-        result = run_case(sandbox, reference.command, limits, case)
-        if result.verdict is not Verdict.AC:
-            raise JudgeError(
-                f"the reference is not accepted on {case.name}: {result.verdict} {result.message}"
-            )
-        least_s = min(least_s, result.cpu_s)
-        if least_s <= enough_s:
-            break
-    return least_s
+        return pool.result(compiling)
+    except NoWallError as error:
+        raise JudgeError(
+            f"no wall works here ({error}), so {submission.name} could read, change and send "
+            "whatever you can; if you trust it, say --no-wall"
+        ) from None
+
+
+def _vouched_for(submission: Submission, problem: Problem) -> bool:
+    """Tell whether the kit vouches for it: its reference, brute force, declared submissions."""
+    own = {REFERENCE, BRUTE_FORCE, *(SUBMISSIONS / name for name in problem.submissions)}
+    return Path(submission.name).resolve() in own

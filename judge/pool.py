@@ -1,129 +1,276 @@
-"""Runs of a compiled submission: one case judged, or many on an executor, results in order."""
+"""The workers that judge one submission, and its test cases spread over them.
+
+A worker is a process with a sandbox of its own and the submission compiled in it. Tasks are
+plain data, so that any `concurrent.futures.Executor` can carry them to its workers: threads
+of this process (which then is the one worker), other processes, or a cluster.
+"""
 
 from __future__ import annotations
 
+import atexit
+import secrets
+import threading
 from collections import deque
-from collections.abc import Iterator, Sequence
-from concurrent.futures import Executor, Future, wait
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from types import TracebackType
+from typing import Any, Generic, Self, TypeVar
 
-from judge.compare import compare
-from judge.decide import decide
-from judge.languages.submission import Program
+from judge.kit.errors import KitError
+from judge.languages.submission import Program, Submission, compile_submission
+from judge.machine import measure_scale
 from judge.problem.cases import Case
+from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
-from judge.results import CaseResult, not_run
+from judge.results import CaseResult, Scale, not_run
+from judge.run import run_case
 from judge.sandbox.facts import RunLimits
-from judge.sandbox.sandbox import Command, Sandbox, SandboxError
+from judge.sandbox.probe import NoWallError, walled_sandbox
+from judge.sandbox.retry import repeat_alone
+from judge.sandbox.sandbox import Sandbox
 
-RUNS_BEFORE_JE = 2
+T = TypeVar("T")
+EARLIER_FAILED = "an earlier case of its group failed"
 
 
-def run_case(sandbox: Sandbox, command: Command, limits: RunLimits, case: Case) -> CaseResult:
-    """Run a program on one case and judge it. A failure of the sandbox, twice, is JE."""
-    failure = ""
-    for _ in range(RUNS_BEFORE_JE):
-        directory = sandbox.new_directory("output-")
-        output = directory / "stdout"
+@dataclass(frozen=True, slots=True)
+class Job:
+    """What a worker needs to judge one submission: plain data.
+
+    without_wall: the program may run without a wall where none works. key: tells judgings
+    apart, so that a worker gets ready once for each.
+    """
+
+    submission: Submission
+    problem: Problem
+    without_wall: bool
+    key: str = field(default_factory=lambda: secrets.token_hex(8))
+
+
+class Worker:
+    """A sandbox, and the submission compiled in it. Raises NoWallError, SandboxError."""
+
+    def __init__(self, job: Job) -> None:
+        self._job = job
+        self._lock = threading.Lock()
+        self._program: Program | None = None
+        self.users = 0  # tasks that are using it now
         try:
-            facts = sandbox.run(command, limits, stdin=case.input, stdout=output)
-            with output.open("rb") as found, case.answer.open("rb") as expected:
-                judgement = decide(facts, limits, compare(found, expected))
-        except (SandboxError, OSError) as error:
-            failure = str(error)
-            continue
+            self.sandbox = walled_sandbox()
+        except NoWallError:
+            if not job.without_wall:
+                raise
+            self.sandbox = Sandbox()
+
+    @property
+    def program(self) -> Program:
+        """The compiled submission. Raises CompileError, LanguageError, SandboxError."""
+        with self._lock:
+            if self._program is None:
+                job = self._job
+                limits = job.problem.limits
+                self._program = compile_submission(job.submission, limits, self.sandbox)
+            return self._program
+
+
+class _Workers:
+    """The workers of this process, by job: an executor keeps nothing between two tasks."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._workers: dict[str, Worker] = {}
+
+    @contextmanager
+    def using(self, job: Job) -> Iterator[Worker]:
+        """Yield the worker for a job. Making a new one closes those that no task uses."""
+        with self._lock:
+            if job.key not in self._workers:
+                idle = [key for key, worker in self._workers.items() if not worker.users]
+                for key in idle:
+                    self._workers.pop(key).sandbox.close()
+                self._workers[job.key] = Worker(job)
+            worker = self._workers[job.key]
+            worker.users += 1
+        try:
+            yield worker
         finally:
-            output.unlink(missing_ok=True)
-            if directory.is_dir():
-                directory.rmdir()
-        return CaseResult(
-            case,
-            judgement.verdict,
-            round(facts.cpu_s, 4),
-            round(facts.wall_s, 4),
-            round(facts.memory_mib, 2),
-            judgement.message,
-        )
-    return CaseResult(case, Verdict.JE, 0.0, 0.0, 0.0, failure)
+            with self._lock:
+                worker.users -= 1
+
+    def close(self, key: str) -> None:
+        """Close the worker of a job if there is one: what it is doing ends."""
+        with self._lock:
+            worker = self._workers.pop(key, None)
+        if worker is not None:
+            worker.sandbox.close()
+
+    def close_all(self) -> None:
+        """Close all workers."""
+        for key in list(self._workers):
+            self.close(key)
 
 
-class Runs:
-    """Runs cases on an executor, some at a time, and yields their results in order."""
+_WORKERS = _Workers()
+atexit.register(_WORKERS.close_all)
 
-    def __init__(
-        self,
-        sandbox: Sandbox,
-        program: Program,
-        limits: RunLimits,
-        executor: Executor,
-        *,
-        jobs: int,
-        stop_on_first: bool,
-    ) -> None:
-        self._executor = executor
-        self._task = (sandbox, program.command, limits)
+
+def prepare(job: Job) -> str | None:
+    """Task: compile the submission; return the wall that is around its runs, None for none.
+
+    Raises NoWallError, CompileError, LanguageError, SandboxError, as the other tasks do.
+    """
+    with _WORKERS.using(job) as worker:
+        wall = worker.sandbox.wall
+        assert worker.program
+        return None if wall is None else str(wall)
+
+
+def run_task(job: Job, limits: RunLimits, case: Case) -> CaseResult:
+    """Task: run the submission on one test case. Raises nothing: a worker's failure is JE."""
+    try:
+        with _WORKERS.using(job) as worker:
+            return run_case(worker.sandbox, worker.program, limits, case)
+    except KitError as error:
+        return CaseResult(case, Verdict.JE, 0.0, 0.0, 0.0, str(error))
+
+
+def scale_task(job: Job) -> Scale | None:
+    """Task: measure how fast the worker's machine is. Raises MachineError, too."""
+    with _WORKERS.using(job) as worker:
+        return measure_scale(job.problem, worker.sandbox)
+
+
+@dataclass(frozen=True, slots=True)
+class Pending(Generic[T]):
+    """A task that an executor carries out."""
+
+    future: Future[T]
+    task: Callable[..., T]
+    arguments: tuple[Any, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Run:
+    """A run under way. beside_others: others may go on beside it; pending None: it is not run."""
+
+    case: Case
+    limits: RunLimits
+    beside_others: bool
+    pending: Pending[CaseResult] | None
+
+
+class Pool:
+    """The workers of one job, and `jobs` runs at a time on them.
+
+    executor: where its tasks are carried out; threads of this process if None. A worker that
+    breaks costs a second try, in this process, and never a result.
+    """
+
+    def __init__(self, job: Job, jobs: int, executor: Executor | None = None) -> None:
+        self._job = job
         self._jobs = jobs
-        self._stop_on_first = stop_on_first
+        self._threads = ThreadPoolExecutor(jobs)  # starts no thread that is not used
+        self._executor = executor or self._threads
 
-    def in_order(self, cases: Sequence[Case]) -> Iterator[CaseResult]:
-        """Yield one result per case.
+    def __enter__(self) -> Self:
+        return self
 
-        What was over the time limit beside others, or not by much, runs again, alone, and
-        that run decides: what disturbs a measurement only ever adds to it.
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._threads.shutdown(wait=False, cancel_futures=True)
+        _WORKERS.close(self._job.key)  # ends what its threads wait for
+        self._threads.shutdown()
+        _WORKERS.close(self._job.key)  # a thread may just have begun with it
+
+    def prepare(self) -> Pending[str | None]:
+        """Begin to make a worker ready; see the task `prepare`."""
+        return self._start(prepare, self._job)
+
+    def measure_scale(self) -> Scale | None:
+        """Measure the machine's speed; see `scale_task`."""
+        return self.result(self._start(scale_task, self._job))
+
+    def result(self, pending: Pending[T]) -> T:
+        """Wait for a result. Raises what the task raises; a broken worker is no reason to."""
+        _wait_for(pending.future)
+        try:
+            return pending.future.result()
+        except KitError:
+            raise
+        except Exception:
+            again = self._threads.submit(pending.task, *pending.arguments)
+            _wait_for(again)
+            return again.result()
+
+    def in_order(
+        self,
+        cases: Sequence[Case],
+        limits: RunLimits,
+        *,
+        stop_on_first: bool,
+        limits_here: Callable[[], RunLimits],
+    ) -> Iterator[CaseResult]:
+        """Yield one result per case, in order.
+
+        limits_here: returns the limits as they hold on this machine, at least `limits`; it is
+        called when a run first goes over the time limit, while nothing else runs. When a run is
+        repeated, alone, that run decides (see `judge.sandbox.retry`).
         """
         waiting = deque(cases)
-        running: deque[tuple[Case, Future[CaseResult], bool]] = deque()
+        running: deque[_Run] = deque()
         stopped: set[str] = set()  # groups with a failure, if that ends a group
+        known = False  # whether `limits` are those of this machine
         while waiting or running:
             while waiting and len(running) < self._jobs:
-                case = waiting.popleft()
-                if case.group in stopped:
-                    running.append((case, self._skipped(case), False))
-                else:
-                    running.append((case, self._submit(case), self._jobs > 1))
-            case, future, beside_others = running.popleft()
-            result = self._result(case, future)
-            if case.group in stopped:
-                result = not_run(case, "an earlier case of its group failed")
-            elif result.verdict is Verdict.TLE and (beside_others or self._near(result)):
-                result = self._again_alone(result, [future for _, future, _ in running])
-            if self._stop_on_first and result.verdict not in (None, Verdict.AC):
-                stopped.add(case.group)
+                running.append(self._run(waiting.popleft(), limits, stopped))
+            run = running.popleft()
+            if run.pending is None or run.case.group in stopped:
+                yield not_run(run.case, EARLIER_FAILED)
+                continue
+            result = self.result(run.pending)
+            if result.verdict is Verdict.TLE:
+                for other in running:
+                    if other.pending is not None:
+                        _wait_for(other.pending.future)
+                if not known:
+                    limits, known = limits_here(), True
+                if limits != run.limits or repeat_alone(
+                    result.cpu_s, limits, beside_others=run.beside_others
+                ):
+                    result = self._repeated(result, limits)
+            if stop_on_first and result.verdict not in (None, Verdict.AC):
+                stopped.add(run.case.group)
             yield result
 
-    def _submit(self, case: Case) -> Future[CaseResult]:
-        return self._executor.submit(run_case, *self._task, case)
+    def _run(self, case: Case, limits: RunLimits, stopped: set[str]) -> _Run:
+        runs = case.group not in stopped
+        pending = self._start(run_task, self._job, limits, case) if runs else None
+        return _Run(case, limits, self._jobs > 1, pending)
 
-    def _skipped(self, case: Case) -> Future[CaseResult]:
-        future: Future[CaseResult] = Future()
-        future.set_result(not_run(case, "an earlier case of its group failed"))
-        return future
-
-    def _result(self, case: Case, future: Future[CaseResult]) -> CaseResult:
-        """Wait for a result; a broken worker costs a second try, never the result."""
-        _await([future])
-        try:
-            return future.result()
-        except Exception:
-            return run_case(*self._task, case)
-
-    def _near(self, result: CaseResult) -> bool:
-        """Was this run over the limit, but came to its own end? Then not by much."""
-        limits = self._task[2]
-        return limits.time_limit_s < result.cpu_s <= limits.kill_cpu_s
-
-    def _again_alone(self, first: CaseResult, others: list[Future[CaseResult]]) -> CaseResult:
-        _await(others)
-        result = run_case(*self._task, first.case)
+    def _repeated(self, first: CaseResult, limits: RunLimits) -> CaseResult:
+        result = self.result(self._start(run_task, self._job, limits, first.case))
         changed = first.verdict if result.verdict is not first.verdict else None
         return replace(result, retried=True, first_verdict=changed)
 
+    def _start(self, task: Callable[..., T], *arguments: Any) -> Pending[T]:
+        try:
+            future = self._executor.submit(task, *arguments)
+        except RuntimeError:  # a broken executor takes no more tasks
+            future = self._threads.submit(task, *arguments)
+        return Pending(future, task, arguments)
 
-def _await(futures: list[Future[CaseResult]]) -> None:
-    """Wait for all, but a second at a time.
 
-    Python acts on a signal only between two of its steps: one that comes just before a
-    wait without an end would never be seen.
+def _wait_for(future: Future[Any]) -> None:
+    """Wait, a second at a time.
+
+    Python handles a signal only between two of its steps, so one that comes just before a
+    wait without an end would never be handled.
     """
-    while wait(futures, timeout=1).not_done:
+    while wait([future], timeout=1).not_done:
         pass

@@ -1,10 +1,11 @@
-"""What a judging yields: results of cases, groups and the whole. Pure aggregation, no running."""
+"""The results of a judging: of its cases, its groups and the whole. Nothing is run here."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from judge.compare import Mismatch
 from judge.problem.cases import Case
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
@@ -13,26 +14,39 @@ NOT_RUN = "not run"
 
 
 @dataclass(frozen=True, slots=True)
-class CaseResult:
-    """The result of one case; verdict None: it was not run (see `message`).
+class Scale:
+    """How many times slower than the calibrating machine this one is, at least 1.
 
-    retried: it was over the time limit beside other runs, or near it, and was run again
-    alone; first_verdict: what the first of the two runs would have meant, if it differs.
+    source: where the figure comes from, for people.
+    """
+
+    factor: float
+    source: str
+
+
+@dataclass(frozen=True, slots=True)
+class CaseResult:
+    """The result of one test case; verdict None: it was not run (`message` says why).
+
+    mismatch: for WA, the first difference. retried: it was over the time limit beside other
+    runs, or by little, and was repeated alone; first_verdict: of the first of these two
+    runs, if it differs.
     """
 
     case: Case
     verdict: Verdict | None
     cpu_s: float
-    wall_s: float
+    elapsed_s: float
     memory_mib: float
     message: str = ""
     retried: bool = False
     first_verdict: Verdict | None = None
+    mismatch: Mismatch | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class GroupResult:
-    """A group: all or nothing. whole: every one of its cases was selected."""
+    """A group: all or nothing. whole: all of its cases were chosen."""
 
     name: str
     verdict: Verdict
@@ -52,10 +66,10 @@ class GroupResult:
 class Judging:
     """All runs of one submission, in the order of the cases.
 
-    time_limit_s: the limit that held; declared_s: the one of problem.toml; scale:
-    the former over the latter as this machine's speed asks, None if it was not measured.
-    partial: the cases are not all of the kit's, so the score says less.
-    message: the compiler's, for CE. wall: the kind of wall that stood around every run, or None.
+    time_limit_s: the limit that held; declared_s: the one of problem.toml; scale: how many
+    times slower than the calibrating machine this one is, and where that figure comes from,
+    None if it was not needed. partial: the cases are not all of the kit's, so the score says
+    less. message: the compiler's, for CE. wall: the wall around every run, or None.
     """
 
     submission: str
@@ -67,7 +81,7 @@ class Judging:
     time_limit_s: float
     declared_s: float
     memory_mib: int
-    scale: float | None
+    scale: Scale | None
     groups: tuple[GroupResult, ...]
     message: str = ""
     wall: str | None = None
@@ -79,7 +93,7 @@ class Judging:
 
     @property
     def changed(self) -> tuple[CaseResult, ...]:
-        """The results whose verdict changed between two runs: the machine is noisy."""
+        """The results whose verdict changed when the run was repeated: the machine is noisy."""
         return tuple(result for result in self.cases if result.first_verdict is not None)
 
     @property
@@ -90,7 +104,7 @@ class Judging:
 
 
 def not_run(case: Case, why: str) -> CaseResult:
-    """Return the result of a case that was left out."""
+    """Return the result of a case that was not run."""
     return CaseResult(case, None, 0.0, 0.0, 0.0, f"{NOT_RUN}: {why}")
 
 

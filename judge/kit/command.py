@@ -11,7 +11,9 @@ from pathlib import Path
 from typing import TextIO
 
 from judge.kit.errors import KitError
+from judge.kit.text import printable_name
 
+MESSAGE_CHARS = 2000
 READER_GONE, FAILED, INTERRUPTED = 1, 2, 130
 
 
@@ -39,11 +41,12 @@ def run(
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # whatever a file is called, it can be said
             stream.reconfigure(errors="backslashreplace")
+    told: tuple[type[Exception], ...] = (KitError, *errors)
     try:
         status = _status(command)
         sys.stdout.flush()
-    except (KitError, *errors) as error:
-        complain(f"{name}: {error}")
+    except told as error:
+        complain(f"{name}: {printable_name(str(error), MESSAGE_CHARS)}")
         return FAILED
     except KeyboardInterrupt:
         complain(f"{name}: {interrupted}")
@@ -54,7 +57,8 @@ def run(
     except OSError as error:
         if error.filename is None:
             give_up(sys.stdout)
-        complain(f"{name}: {error.filename or 'standard output'}: {error.strerror}")
+        where = "standard output" if error.filename is None else str(error.filename)
+        complain(f"{name}: {printable_name(where)}: {error.strerror}")
         return FAILED
     return status
 

@@ -7,11 +7,13 @@ directory, is led on or told what to do.
 import os
 import sys
 from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 ENVIRONMENT = ROOT / ".venv"
 MINIMUM = (3, 11)
+PACKAGES = ("msgspec", "rich", "drawsvg")  # that commands import
 FAILED = 2
 
 
@@ -30,15 +32,9 @@ def start(module, script=None):  # type: (str, str | None) -> None
             refuse(path.name, "{} cannot be executed by this user".format(python))  # noqa: UP032
         if os.path.lexists(str(python)):
             refuse(path.name, "the Python of .venv is gone: run 'make setup' again")
-    if sys.version_info < MINIMUM:
+    if sys.version_info < MINIMUM or not all(map(find_spec, PACKAGES)):
         refuse(path.name, "the kit is not set up: run 'make setup' first")
-    try:
-        main = import_module(module).main
-    except ImportError as error:
-        if (error.name or "").partition(".")[0] == module.partition(".")[0]:
-            raise  # a module of the kit itself is missing
-        refuse(path.name, "the kit is not set up: run 'make setup' first")
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(import_module(module).main(sys.argv[1:]))
 
 
 def refuse(name, why):  # type: (str, str) -> None

@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 import codecs
+import re
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO
 
 from judge.kit.errors import KitError
 from judge.kit.text import printable_lines
+from judge.languages.guess import guess
 from judge.languages.java import java_names
-from judge.languages.table import LANGUAGES, Language, by_suffix, guess, toolchain
+from judge.languages.table import LANGUAGES, Language, by_suffix
+from judge.languages.toolchain import toolchain
 from judge.problem.declaration import Limits
 from judge.sandbox.facts import RunLimits, Stop
-from judge.sandbox.sandbox import Command, Sandbox
+from judge.sandbox.sandbox import Command, Sandbox, SandboxError
 
 COMPILER_OUTPUT_MIB = 8
 LONGEST_SOURCE_BYTES = 1 << 24  # far beyond any limit on the source's length
 
 
 class SubmissionError(KitError):
-    """What was given cannot be a submission; one clear line."""
+    """What was given cannot be a submission."""
 
 
 class CompileError(KitError):
@@ -43,9 +46,19 @@ class Program:
     submission: Submission
     command: Command
 
+    def reason(self, stderr: bytes) -> str:
+        """Return the line of standard error that says why the program crashed, or nothing.
+
+        In most languages it is the last one.
+        """
+        lines = printable_lines(stderr, lines=1000, width=120).splitlines()
+        mark = self.submission.language.error_line
+        telling = [line for line in lines if mark and re.search(mark, line)][:1] or lines[-1:]
+        return "".join(telling)
+
 
 def read_source(file: IO[bytes]) -> bytes:
-    """Return what a file holds, or so much of it that it is surely too long."""
+    """Return the content of a file, cut off at a length that no limit allows."""
     return file.read(LONGEST_SOURCE_BYTES)
 
 
@@ -102,7 +115,11 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
     tools = toolchain(submission.language)
     directory = sandbox.new_program_directory()
     source_name, main = _names(submission)
-    (directory / source_name).write_bytes(submission.source)
+    try:
+        (directory / source_name).write_bytes(submission.source)
+        tools.prepare(directory)
+    except OSError as error:
+        raise SandboxError(f"{directory}: no scratch space: {error.strerror}") from None
     run_limits = RunLimits(
         time_limit_s=limits.compilation_time_s,
         memory_mib=limits.compilation_memory_mib,

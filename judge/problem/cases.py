@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -37,6 +37,13 @@ def group_of(name: str) -> str:
     """
     parent, _, _ = name.rpartition("/")
     return parent.removeprefix("secret/") or "."
+
+
+def case_at(directory: Path, name: str) -> Case:
+    """Return the case called `name` in a data directory, whether its files are there or not."""
+    stem = directory / name
+    files = (stem.with_name(f"{stem.name}{ending}") for ending in (".in", ".ans"))
+    return Case(name, group_of(name), *files)
 
 
 def find_cases(directory: Path, problem: Problem) -> list[Case]:

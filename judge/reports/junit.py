@@ -32,7 +32,7 @@ def to_junit(judging: Judging) -> bytes:
         suite.set("tests", str(len(suite.findall("testcase"))))
     for total in ("tests", "failures", "errors", "skipped"):
         root.set(total, str(sum(int(suite.get(total, "0")) for suite in root)))
-    root.set("time", f"{sum(result.wall_s for result in judging.cases):.4f}")
+    root.set("time", f"{sum(result.elapsed_s for result in judging.cases):.4f}")
     facts = ET.Element("properties")
     for name, value in (
         ("verdict", judging.verdict.value),
@@ -51,8 +51,8 @@ def to_junit(judging: Judging) -> bytes:
 
 
 def _suite(root: ET.Element, name: str, results: list[CaseResult]) -> ET.Element:
-    wall_s = sum(result.wall_s for result in results)
-    return ET.SubElement(root, "testsuite", name=name, time=f"{wall_s:.4f}")
+    elapsed_s = sum(result.elapsed_s for result in results)
+    return ET.SubElement(root, "testsuite", name=name, time=f"{elapsed_s:.4f}")
 
 
 def _case(suite: ET.Element, result: CaseResult) -> None:
@@ -61,7 +61,7 @@ def _case(suite: ET.Element, result: CaseResult) -> None:
         "testcase",
         classname=result.case.group,
         name=result.case.name,
-        time=f"{result.wall_s:.4f}",
+        time=f"{result.elapsed_s:.4f}",
     )
     if result.verdict is None:
         ET.SubElement(test, "skipped", message=result.message)
@@ -70,10 +70,10 @@ def _case(suite: ET.Element, result: CaseResult) -> None:
         _add(test, "error", result.verdict, result.message)
     elif result.verdict is not Verdict.AC:
         _add(test, "failure", result.verdict, result.message)
-    facts = f"{result.cpu_s} s CPU, {result.wall_s} s wall, {result.memory_mib} MiB"
+    facts = f"{result.cpu_s} s CPU, {result.elapsed_s} s elapsed, {result.memory_mib} MiB"
     if result.retried:
         first = f", {result.first_verdict} at first" if result.first_verdict else ""
-        facts += f", run again alone{first}"
+        facts += f", repeated alone{first}"
     ET.SubElement(test, "system-out").text = facts
 
 

@@ -1,7 +1,7 @@
 """The JSON report: its schema, as the types below say it.
 
-`python -m judge.reports.schema > docs/report.schema.json` writes the schema down. A field
-added is still version 1; one that is taken away, or means something else, is not.
+`make schema` writes docs/report.schema.json. Version 2 has all keys of version 1, with their
+names and meanings, and more: a reader of version 1 can read it if it skips unknown keys.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from typing import Annotated
 import msgspec
 
 from judge.problem.verdict import Verdict
-from judge.results import Judging
+from judge.results import CaseResult, Judging
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 
 
 Seconds = Annotated[float, msgspec.Meta(ge=0)]
@@ -22,8 +22,27 @@ Mebibytes = Annotated[float, msgspec.Meta(ge=0)]
 Points = Annotated[int, msgspec.Meta(ge=0)]
 
 
+class MismatchReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """The first difference between an output and the answer; new in version 2.
+
+    scenario: number of the answer, from 1. line, column: where it stands in the output, from
+    1; of a missing answer, the end of the output. expected null: the output goes on
+    after the last answer; found null: it ends too early.
+    """
+
+    scenario: int
+    line: int
+    column: int
+    expected: str | None
+    found: str | None
+
+
 class CaseReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """One case, in the order of judging; verdict null: not run, and message says why."""
+    """One test case, in the order of judging; verdict null: not run, and message says why.
+
+    wall_s: elapsed seconds. retried: repeated alone, after a run over the time limit;
+    first_verdict: of the first run, if it differs. mismatch: for WA, new in version 2.
+    """
 
     case: str
     group: str
@@ -34,6 +53,7 @@ class CaseReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     message: str
     retried: bool
     first_verdict: Verdict | None
+    mismatch: MismatchReport | None
 
 
 class GroupReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -46,10 +66,12 @@ class GroupReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Report(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A whole judging. scale: null if the machine's speed was not measured.
+    """A whole judging.
 
-    wall: the kind of wall that stood around every run, null for none.
-    partial: not every case was selected; only groups judged whole score.
+    scale: how many times slower this machine is than the calibrating one, null if no verdict
+    depended on it; scale_source: where that figure comes from, new in version 2. wall:
+    the wall around every run, null for none. partial: not all test cases of the kit
+    were chosen; only groups judged whole score.
     """
 
     schema_version: int
@@ -64,6 +86,7 @@ class Report(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     declared_time_limit_s: Seconds
     memory_limit_mib: int
     scale: float | None
+    scale_source: str | None
     wall: str | None
     groups: list[GroupReport]
     cases: list[CaseReport]
@@ -83,7 +106,8 @@ def report_of(judging: Judging) -> Report:
         time_limit_s=judging.time_limit_s,
         declared_time_limit_s=judging.declared_s,
         memory_limit_mib=judging.memory_mib,
-        scale=judging.scale,
+        scale=None if judging.scale is None else judging.scale.factor,
+        scale_source=None if judging.scale is None else judging.scale.source,
         wall=judging.wall,
         groups=[GroupReport(g.name, g.verdict, g.score, g.max_score) for g in judging.groups],
         cases=[
@@ -92,15 +116,23 @@ def report_of(judging: Judging) -> Report:
                 group=r.case.group,
                 verdict=r.verdict,
                 cpu_s=r.cpu_s,
-                wall_s=r.wall_s,
+                wall_s=r.elapsed_s,
                 memory_mib=r.memory_mib,
                 message=r.message,
                 retried=r.retried,
                 first_verdict=r.first_verdict,
+                mismatch=_mismatch(r),
             )
             for r in judging.cases
         ],
     )
+
+
+def _mismatch(result: CaseResult) -> MismatchReport | None:
+    found = result.mismatch
+    if found is None:
+        return None
+    return MismatchReport(found.scenario, found.line, found.column, found.expected, found.found)
 
 
 def to_json(judging: Judging) -> bytes:

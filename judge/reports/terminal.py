@@ -1,21 +1,21 @@
-"""What a person sees of a judging: live progress, the end table, the first failure."""
+"""What a person sees of a judging: live progress, the table of groups, the first failure."""
 
 from __future__ import annotations
 
-import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from types import TracebackType
-from typing import Self
 
 from rich.console import Console, JustifyMethod
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 from rich.text import Text
 
 from judge.judging import Events
+from judge.kit.progress import progress_bar
 from judge.kit.text import printable_name
+from judge.machine import UNCALIBRATED
 from judge.problem.verdict import Verdict
-from judge.results import CaseResult, Judging
+from judge.results import CaseResult, GroupResult, Judging
 
 COLOURS = {
     Verdict.AC: "bold green",
@@ -26,67 +26,38 @@ COLOURS = {
 OTHER_COLOUR = "bold magenta"
 
 
-class Live:
-    """A line per finished case, and on a terminal a bar below them while the judging goes on."""
+@contextmanager
+def live(console: Console) -> Iterator[Events]:
+    """Print a line per finished case, and on a terminal a bar below them, as the events come."""
+    with progress_bar("judging", console=console) as bar:
 
-    def __init__(self, console: Console) -> None:
-        self._console = console
-        self._progress = Progress(
-            SpinnerColumn(),
-            TextColumn("{task.description}"),
-            BarColumn(),
-            MofNCompleteColumn(),
-            console=console,
-            transient=True,
-            disable=not console.is_terminal,
-        )
-        self._task = self._progress.add_task("judging", total=None)
-        self.events = Events(phase=self._phase, start=self._start, result=self._result)
+        def show(result: CaseResult) -> None:
+            bar.advance()
+            if result.verdict is not None:  # the table says how many cases were not run
+                console.print(case_line(result), soft_wrap=True)
 
-    def __enter__(self) -> Self:
-        self._progress.start()
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self._progress.stop()
-
-    def _phase(self, text: str) -> None:
-        self._progress.update(self._task, description=text)
-
-    def _start(self, cases: int) -> None:
-        self._progress.update(self._task, description="judging", total=cases)
-
-    def _result(self, result: CaseResult) -> None:
-        self._progress.advance(self._task)
-        if result.verdict is None:  # not run: the table's end is soon enough to see that
-            return
-        self._progress.console.print(case_line(result), soft_wrap=True)
+        yield Events(phase=bar.say, start=lambda cases: bar.begin(cases, "judging"), result=show)
 
 
 def case_line(result: CaseResult) -> Text:
-    """Return `AC   0.61 s CPU   0.65 s wall    45 MiB  secret/large/03`."""
+    """Return `AC   0.61 s CPU   0.65 s elapsed    45 MiB  secret/large/03`."""
     line = verdict_text(result.verdict, width=4)
     if result.verdict is None:
         return line.append(f"  {result.case.name}  {result.message}", style="dim")
     line.append(
-        f"{result.cpu_s:7.2f} s CPU {result.wall_s:7.2f} s wall {result.memory_mib:6.0f} MiB  "
-        f"{result.case.name}"
+        f"{result.cpu_s:7.2f} s CPU {result.elapsed_s:7.2f} s elapsed {result.memory_mib:6.0f} MiB"
+        f"  {result.case.name}"
     )
     if result.message:
         line.append(f"  {result.message.splitlines()[0]}", style="dim")
     if result.retried:
         first = f", {result.first_verdict} at first" if result.first_verdict else ""
-        line.append(f"  (run again alone{first})", style="yellow")
+        line.append(f"  (repeated alone{first})", style="yellow")
     return line
 
 
 def print_report(console: Console, judging: Judging) -> None:
-    """Print the end of a judging: the first failure, the table of groups, limits, verdict."""
+    """Print the end of a judging: the table of groups, the first failure, limits, verdict."""
     if judging.verdict is Verdict.CE:
         console.print(Text("does not compile:", style=COLOURS[Verdict.CE]))
         console.print(Text(judging.message), soft_wrap=True)
@@ -96,12 +67,12 @@ def print_report(console: Console, judging: Judging) -> None:
         _print_failure(console, failure)
     if judging.changed:
         many = f"{len(judging.changed)} verdicts" if judging.changed[1:] else "1 verdict"
-        said = f"{many} changed between two runs; the run alone decided: this machine is noisy"
+        said = f"{many} changed when the run was repeated alone, which decided: a noisy machine"
         console.print(Text(said, style="yellow"), soft_wrap=True)
     console.print(Text(_limits_line(judging), style="dim"), soft_wrap=True)
     if judging.wall is None:
         lost = (
-            "no wall stood: the program could read the answers, and read, change and send "
+            "there was no wall: the program could read the answers, and read, change and send "
             "whatever you can"
         )
         console.print(Text(lost, style="yellow"), soft_wrap=True)
@@ -137,11 +108,18 @@ def _group_table(judging: Judging) -> Table:
             group.name,
             verdict_text(group.verdict),
             f"{group.score} of {group.max_score}" if group.whole else "partial",
-            str(len(group.cases)),
+            _count(group),
             f"{slowest.cpu_s:.2f}" if slowest else "-",
             slowest.case.name if slowest else "-",
         )
     return table
+
+
+def _count(group: GroupResult) -> str:
+    """Return `47`, or `1 of 47` if not all of the group's chosen cases were run."""
+    ran = sum(result.verdict is not None for result in group.cases)
+    every = len(group.cases)
+    return str(every) if ran == every else f"{ran} of {every}"
 
 
 def _print_failure(console: Console, failure: CaseResult) -> None:
@@ -149,8 +127,9 @@ def _print_failure(console: Console, failure: CaseResult) -> None:
     console.print(headline.append(f" on {failure.case.name}: {failure.message}"), soft_wrap=True)
     given, answer = shown(failure.case.input), shown(failure.case.answer)
     lines = f"  input  {given}\n  answer {answer}"
-    if scenario := re.match(r"scenario (\d+):", failure.message):
-        lines += f"\n  see it .venv/bin/python -m pictures show {given} {scenario[1]} > scene.svg"
+    if failure.mismatch is not None and failure.mismatch.expected is not None:
+        number = failure.mismatch.scenario
+        lines += f"\n  see it .venv/bin/python -m pictures show {given} {number} > scene.svg"
     console.print(Text(lines), soft_wrap=True)  # a path broken in two cannot be copied
 
 
@@ -162,11 +141,14 @@ def shown(path: Path) -> str:
 
 def _limits_line(judging: Judging) -> str:
     limits = f"limits: {judging.time_limit_s:.2f} s of CPU time, {judging.memory_mib} MiB"
-    if judging.scale is not None:
+    scale = judging.scale
+    if scale is not None:
         return (
-            f"{limits}; {judging.declared_s:g} s declared, machine scale {judging.scale:.2f} "
-            "by the reference's time"
+            f"{limits}; {judging.declared_s:g} s declared, machine scale {scale.factor:.2f} "
+            f"({scale.source})"
         )
     if judging.time_limit_s != judging.declared_s:
         return f"{limits}; time limit as asked for ({judging.declared_s:g} s declared)"
-    return f"{limits}; not scaled to this machine: the calibration case is not built"
+    if any(result.verdict is Verdict.TLE for result in judging.cases):
+        return f"{limits}; {UNCALIBRATED}"
+    return limits

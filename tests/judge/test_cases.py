@@ -3,15 +3,24 @@
 from __future__ import annotations
 
 import hashlib
-import json
+import os
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from judge.problem.cases import CasesError, check_built, find_cases, select
+from judge.kit.checksums import Checksums
+from judge.kit.store import Store
+from judge.problem.cases import CasesError, find_cases, select
+from judge.problem.data import check_complete, check_unchanged, load_data
 from judge.problem.declaration import load
-from judge.problem.manifest import check_complete, check_sums, load_manifest
+from judge.problem.manifest import (
+    Entry,
+    Manifest,
+    ManifestError,
+    load_manifest,
+    save_manifest,
+    sum_of,
+)
 
 PROBLEM = load()
 
@@ -98,50 +107,85 @@ def test_selection(data: Path) -> None:
 
 def test_groups_that_are_not_built(data: Path) -> None:
     cases = find_cases(data, PROBLEM)
-    check_built(cases, ["sample", "small"], data)
+    nothing = Manifest(1, {})
+    check_complete(nothing, cases, ["sample", "small"], data)
     with pytest.raises(CasesError, match=r"secret/large: .* run 'make data'"):
-        check_built(cases, ["small", "large"], data)
+        check_complete(nothing, cases, ["small", "large"], data)
     with pytest.raises(CasesError, match=r"data/sample: .* run 'make data'"):
-        check_built(cases[1:], ["sample"], data)
+        check_complete(nothing, cases[1:], ["sample"], data)
 
 
 def write_manifest(data: Path) -> None:
-    def sums(path: Path) -> dict[str, Any]:
-        content = path.read_bytes()
-        return {"bytes": len(content), "sha256": hashlib.sha256(content).hexdigest(), "more": 1}
-
+    made = {"family": "", "parameters": {}, "repeat": 1, "seed": 0}
+    holds = {"scenarios": 1, "vertices": 3, "pair_sum": 0, "yes": 1, "no": 0}
     entries = {
-        case.name: {"input": sums(case.input), "answer": sums(case.answer), "seed": 7}
+        case.name: Entry(
+            **made,  # type: ignore[arg-type] # fields by name
+            **holds,
+            input=sum_of(case.input.read_bytes()),
+            answer=sum_of(case.answer.read_bytes()),
+        )
         for case in find_cases(data, PROBLEM)
     }
-    (data / "manifest.json").write_text(json.dumps({"version": 1, "cases": entries}))
+    save_manifest(data, entries)
 
 
 @pytest.mark.parametrize("ending", ["in", "ans"])
-def test_files_that_are_not_what_was_built(data: Path, ending: str) -> None:
+def test_files_that_are_not_what_was_built(data: Path, tmp_path: Path, ending: str) -> None:
     write_manifest(data)
-    manifest, cases = load_manifest(data), find_cases(data, PROBLEM)
-    check_sums(manifest, cases)
-    path = data / f"secret/small/02.{ending}"
-    whole = path.read_bytes()
-    path.write_bytes(whole[:-1])
-    with pytest.raises(CasesError, match=rf"02\.{ending}: expected 10 bytes, found 9.*'make data'"):
-        check_sums(manifest, cases)
-    path.write_bytes(whole[:-1] + b" ")
-    with pytest.raises(CasesError, match=rf"02\.{ending}: expected SHA-256 .* run 'make data'"):
-        check_sums(manifest, cases)
+    with Store(tmp_path / "store") as store:
+        assert len(load_data(PROBLEM, data, store=store).chosen) == 4
+        path = data / f"secret/small/02.{ending}"
+        whole = path.read_bytes()
+        path.write_bytes(whole[:-1])
+        cut = rf"02\.{ending}: expected 10 bytes, found 9.*'make data'"
+        with pytest.raises(CasesError, match=cut):
+            load_data(PROBLEM, data, store=store)
+        path.write_bytes(whole[:-1] + b" ")
+        changed = rf"02\.{ending}: expected SHA-256 .* run 'make data'"
+        with pytest.raises(CasesError, match=changed):
+            load_data(PROBLEM, data, store=store)
+
+
+def test_an_unchanged_file_is_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "file"
+    path.write_bytes(b"one")
+    monkeypatch.setattr("judge.kit.checksums.SETTLED_AFTER_NS", -1)
+    with Store(tmp_path / "store") as store:
+        first = Checksums(store)
+        one = first.sha256(path)
+        first.keep()
+        assert Checksums(store).sha256(path) == one == hashlib.sha256(b"one").hexdigest()
+        store.put("sha256", {str(path): store.get("sha256", [str(path)])[str(path)][:-1] + "?"})
+        assert Checksums(store).sha256(path).endswith("?"), "it was read again"
+        before = path.stat()
+        path.write_bytes(b"two")  # as long, and given the old time back
+        os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
+        assert Checksums(store).sha256(path) == hashlib.sha256(b"two").hexdigest()
+
+
+def test_what_was_just_written_is_read_again(tmp_path: Path) -> None:
+    path = tmp_path / "file"
+    path.write_bytes(b"one")
+    with Store(tmp_path / "store") as store:
+        checksums = Checksums(store)
+        checksums.sha256(path)
+        checksums.keep()
+        assert store.get("sha256", [str(path)]) == {}
 
 
 def test_a_case_of_the_manifest_that_is_not_there(data: Path) -> None:
     write_manifest(data)
     manifest = load_manifest(data)
     cases = [case for case in find_cases(data, PROBLEM) if case.name != "secret/small/02"]
-    check_complete(manifest, cases, ["static"])
+    check_complete(manifest, cases, ["static"], data)
     with pytest.raises(CasesError, match=r"secret/small/02: .* not built yet; run 'make data'"):
-        check_complete(manifest, cases, ["small"])
+        check_complete(manifest, cases, ["small"], data)
+    check_unchanged(manifest, cases, data, Checksums())
 
 
-def test_a_broken_manifest(data: Path) -> None:
-    (data / "manifest.json").write_text("{")
-    with pytest.raises(CasesError, match=r"manifest\.json: not a manifest"):
+@pytest.mark.parametrize("content", [b"{", b'{"version": 1}', b'{"cases": "\xff"}', b"\xff"])
+def test_a_broken_manifest(data: Path, content: bytes) -> None:
+    (data / "manifest.json").write_bytes(content)
+    with pytest.raises(ManifestError, match=r"manifest\.json: not a manifest"):
         load_manifest(data)

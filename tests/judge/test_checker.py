@@ -36,7 +36,9 @@ def test_accepted(checker: Checker, source: Source, data: Path) -> None:
     done = checker(source("echo.py", ECHO), "--data", data, "--time-limit", 3)
     assert done.returncode == 0, done.stderr
     assert "AC  30 of 100 points" in done.stdout
-    assert re.search(r"AC +\d\.\d\d s CPU +\d\.\d\d s wall +\d+ MiB  secret/small/02", done.stdout)
+    assert re.search(
+        r"AC +\d\.\d\d s CPU +\d\.\d\d s elapsed +\d+ MiB  secret/small/02", done.stdout
+    )
     assert "\x1b" not in done.stdout
 
 
@@ -73,13 +75,16 @@ def test_json(checker: Checker, source: Source, data: Path, tmp_path: Path) -> N
     done = checker(source("w.py", code), "--data", data, "--json", report, "--stop-on-first")
     assert done.returncode == 1
     table = json.loads(report.read_text())
-    assert table["schema_version"] == 1
+    assert table["schema_version"] == 2
     assert (table["verdict"], table["score"], table["max_score"]) == ("WA", 15, 100)
     assert table["groups"][2] == {"name": "small", "verdict": "WA", "score": 0, "max_score": 15}
     case = table["cases"][3]
     assert (case["case"], case["group"], case["verdict"]) == ("secret/small/02", "small", "WA")
     assert case["message"].startswith("scenario 2: expected NO, found the end")
     assert {"cpu_s", "wall_s", "memory_mib"} <= set(case)
+    mismatch = {"scenario": 2, "line": 2, "column": 1, "expected": "NO", "found": None}
+    assert case["mismatch"] == mismatch
+    assert table["cases"][0]["mismatch"] is None
     assert sorted(p.name for p in tmp_path.iterdir() if "report" in p.name) == ["report.json"]
 
 

@@ -7,8 +7,10 @@ from pathlib import Path
 import pytest
 
 from judge.kit.paths import ROOT
+from judge.languages.guess import guess
 from judge.languages.submission import SubmissionError, from_source, read_submission
-from judge.languages.table import LANGUAGES, LanguageError, by_name, by_suffix, guess, toolchain
+from judge.languages.table import LANGUAGES, LanguageError, by_name, by_suffix
+from judge.languages.toolchain import toolchain
 
 SOURCES = sorted(p for p in (ROOT / "submissions").rglob("*.*") if by_suffix(p))
 

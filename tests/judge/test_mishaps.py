@@ -13,9 +13,9 @@ import pytest
 
 from judge.kit.files import write_whole
 from judge.kit.paths import ROOT
+from judge.languages.guess import guess
 from judge.languages.java import java_names
 from judge.languages.submission import LONGEST_SOURCE_BYTES, from_source, read_submission
-from judge.languages.table import guess
 from judge.problem.cases import CasesError, find_cases
 from judge.problem.declaration import load
 
@@ -86,7 +86,7 @@ def test_a_full_disk_and_a_lost_reader_are_judge_errors(data: Path, source) -> N
     with Path("/dev/full").open("w") as full:
         done = run(program, "--data", data, stdout=full)
     assert done.returncode == 2
-    assert done.stderr == "checker.py: the report cannot be written: No space left on device\n"
+    assert done.stderr == "checker.py: standard output: No space left on device\n"
     reader, writer = os.pipe()
     os.close(reader)
     done = run(program, "--data", data, stdout=writer)

@@ -98,21 +98,21 @@ JUNIT = f"""\
   <testsuite name="static" time="2.5000" failures="0" errors="0" skipped="0" tests="2">
 {TOLD}\
     <testcase classname="static" name="secret/static/1" time="0.7500">
-      <system-out>0.5 s CPU, 0.75 s wall, 30.5 MiB</system-out>
+      <system-out>0.5 s CPU, 0.75 s elapsed, 30.5 MiB</system-out>
     </testcase>
     <testcase classname="static" name="secret/static/2" time="1.7500">
-      <system-out>1.5 s CPU, 1.75 s wall, 30.5 MiB</system-out>
+      <system-out>1.5 s CPU, 1.75 s elapsed, 30.5 MiB</system-out>
     </testcase>
   </testsuite>
   <testsuite name="small" time="10.0000" failures="1" errors="0" skipped="1" tests="3">
 {TOLD}\
     <testcase classname="small" name="secret/small/1" time="0.7500">
-      <system-out>0.5 s CPU, 0.75 s wall, 30.5 MiB</system-out>
+      <system-out>0.5 s CPU, 0.75 s elapsed, 30.5 MiB</system-out>
     </testcase>
     <testcase classname="small" name="secret/small/2" time="9.2500">
       <failure type="TLE" message="9.00 s of CPU time">9.00 s of CPU time
 and more</failure>
-      <system-out>9.0 s CPU, 9.25 s wall, 30.5 MiB</system-out>
+      <system-out>9.0 s CPU, 9.25 s elapsed, 30.5 MiB</system-out>
     </testcase>
     <testcase classname="small" name="secret/small/3" time="0.0000">
       <skipped message="not run: an earlier case of its group failed" />
@@ -122,17 +122,17 @@ and more</failure>
 {TOLD}\
     <testcase classname="large" name="secret/large/1" time="0.2500">
       <error type="JE" message="the keeper was lost">the keeper was lost</error>
-      <system-out>0.0 s CPU, 0.25 s wall, 30.5 MiB</system-out>
+      <system-out>0.0 s CPU, 0.25 s elapsed, 30.5 MiB</system-out>
     </testcase>
   </testsuite>
   <testsuite name="zoo" time="0.7500" failures="1" errors="0" skipped="0" tests="2">
 {TOLD}\
     <testcase classname="zoo" name="secret/zoo/1" time="0.3750">
       <failure type="WA" message="&lt;no&gt;">&lt;no&gt;</failure>
-      <system-out>0.125 s CPU, 0.375 s wall, 30.5 MiB, run again alone, TLE at first</system-out>
+      <system-out>0.125 s CPU, 0.375 s elapsed, 30.5 MiB, repeated alone, TLE at first</system-out>
     </testcase>
     <testcase classname="zoo" name="secret/zoo/2" time="0.3750">
-      <system-out>0.125 s CPU, 0.375 s wall, 30.5 MiB, run again alone</system-out>
+      <system-out>0.125 s CPU, 0.375 s elapsed, 30.5 MiB, repeated alone</system-out>
     </testcase>
   </testsuite>
 </testsuites>

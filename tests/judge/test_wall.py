@@ -24,7 +24,7 @@ from judge.languages.submission import (
 from judge.languages.table import by_name
 from judge.problem.declaration import load
 from judge.sandbox.facts import Stop
-from judge.sandbox.probe import Probe, probe
+from judge.sandbox.probe import probe
 from judge.sandbox.sandbox import Sandbox
 from judge.sandbox.seccomp import AUDIT_ARCH, filter_program
 from judge.sandbox.wall import Wall
@@ -156,10 +156,12 @@ def test_a_program_cannot_rewrite_itself(
 def test_without_a_wall_unknown_code_is_refused(
     data: Path, source: Callable[[str, str], Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("judge.judging.probe", lambda: Probe(None, "not today"))
+    monkeypatch.setattr("judge.sandbox.probe.candidates", lambda: [])
     options = Options(data=data, time_limit_s=5.0)
     path = source("echo.py", "print(open(0).read())\n")
-    with pytest.raises(JudgeError, match=r"no wall stands \(not today\).*say --no-wall"):
+    with pytest.raises(
+        JudgeError, match=r"no wall works here \(no bwrap is installed\).*say --no-wall"
+    ):
         judge(read_submission(path), PROBLEM, options)
     allowed = judge(
         read_submission(path), PROBLEM, Options(data=data, time_limit_s=5.0, no_wall=True)

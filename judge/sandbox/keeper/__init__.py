@@ -2,8 +2,8 @@
 
 Its own process (`BOOT`), small and single-threaded on purpose: a child's peak memory
 starts at its parent's, a death signal fires when the launching *thread* ends, and only
-a child subreaper sees the CPU time of processes that outlive their parents. Standard
-library only, and little of it; nothing here imports anything else of `judge`.
+a child subreaper sees the CPU time of processes that outlive their parents. It imports
+little of the standard library and nothing else of `judge`.
 """
 
 BOOT = (

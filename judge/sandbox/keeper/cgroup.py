@@ -1,8 +1,8 @@
 """A control group (cgroup v2) of its own for one program, where this user may make one.
 
-No process leaves its group, whatever it does. So it counts CPU time that no accounting
-sees, ends all processes at one stroke, and holds memory and processes between two looks
-at them, as far as the controllers for these are there. Nothing requires it.
+A process cannot leave its control group. So the kernel counts all CPU time there, kills all
+processes at once, and, where the controllers are enabled, limits memory and processes between
+two samples. Nothing requires it.
 Source: the kernel's Documentation/admin-guide/cgroup-v2.rst
 """
 
@@ -14,14 +14,13 @@ from pathlib import Path
 
 from judge.sandbox.keeper.proc import read
 
-SLACK_MIB = 16  # of page tables and the wall; what is over the limit itself is seen by looking
+SLACK_MIB = 16  # page tables and the wall's own; sampling finds what is over the limit itself
 
 
-class Group:
-    """The group of the process `pid`, which has started nothing yet, and of all it starts.
+class Cgroup:
+    """The control group of the process `pid`, which has started no other yet.
 
-    directory: where to make it, None for not at all. Then, or if it is refused, all this
-    does nothing.
+    directory: where to make it. If that is None, or the kernel refuses, no method does anything.
     """
 
     def __init__(self, directory: str | None, pid: int, memory_mib: int, processes: int) -> None:
@@ -43,7 +42,7 @@ class Group:
             self.close()
 
     def cpu_s(self) -> float:
-        """Return the CPU seconds that the group has used so far, 0 without one."""
+        """Return the CPU seconds used in it so far, 0 without one."""
         for line in self._read("cpu.stat").splitlines():
             if line.startswith("usage_usec "):
                 return int(line.split()[1]) / 1e6
@@ -51,17 +50,17 @@ class Group:
 
     @property
     def out_of_memory(self) -> bool:
-        """Whether the kernel has ended processes since the group's memory was used up."""
+        """Whether the kernel killed a process because the memory was used up."""
         lines = self._read("memory.events").splitlines()
         return any(line.startswith("oom_kill ") and line != "oom_kill 0" for line in lines)
 
     def kill(self) -> None:
-        """Kill every process of the group."""
+        """Kill every process in it."""
         with contextlib.suppress(OSError):  # before Linux 5.14 there is no such file
             self._write("cgroup.kill", 1)
 
     def close(self) -> None:
-        """Remove the group, whose processes have all been reaped; more than once does no harm."""
+        """Remove it after all its processes were reaped; more than once does no harm."""
         if self._directory is not None:
             with contextlib.suppress(OSError):
                 self._directory.rmdir()

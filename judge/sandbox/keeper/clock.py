@@ -1,8 +1,8 @@
-"""The CPU time of a process and of all that descends from it, as the scheduler counts it.
+"""The CPU time of a process and all its descendants, as the scheduler counts it.
 
-Accounting misses children that are reaped automatically, and sampling misses short ones;
-a performance counter that is inherited misses nothing. Not every machine grants one: where
-the kernel or a container refuses it, the other two counts must do.
+The kernel's accounting misses children that are reaped automatically, and sampling misses
+short-lived ones; an inherited performance counter misses nothing. Where the kernel or a
+container refuses a counter, the other two counts must do.
 Source: perf_event_open(2).
 """
 
@@ -16,13 +16,17 @@ from judge.sandbox.keeper.libc import system_call
 SYSTEM_CALL = {"x86_64": 298, "aarch64": 241}
 ATTRIBUTES_BYTES = 112
 TYPE_SOFTWARE, TASK_CLOCK_NS = 1, 1
-INHERIT, EXCLUDE_KERNEL, EXCLUDE_HYPERVISOR = 1 << 1, 1 << 5, 1 << 6  # a clock counts all three
+INHERIT, EXCLUDE_KERNEL, EXCLUDE_HYPERVISOR = (
+    1 << 1,
+    1 << 5,
+    1 << 6,
+)  # needs no privilege; a clock counts kernel time all the same
 FLAGS_OFFSET = 40
 CLOSE_ON_EXEC = 8
 
 
 class Clock:
-    """Counts from the moment it is made; whoever `pid` starts later is counted with it."""
+    """Counts from the moment it is made, with every process that `pid` starts later."""
 
     def __init__(self, pid: int) -> None:
         attributes = bytearray(ATTRIBUTES_BYTES)
@@ -33,7 +37,7 @@ class Clock:
 
     @property
     def granted(self) -> bool:
-        """Whether there is a counter, and it is not given back."""
+        """Whether there is a counter, and it was not closed."""
         return self._fd >= 0
 
     def cpu_s(self) -> float:
@@ -44,7 +48,7 @@ class Clock:
         return float(counted_ns / 1e9)
 
     def close(self) -> None:
-        """Give the counter back; more than once does no harm."""
+        """Close the counter; more than once does no harm."""
         if self.granted:
             os.close(self._fd)
             self._fd = -1

@@ -1,4 +1,4 @@
-"""How much memory the processes of a program use together: nothing twice, nothing forgotten."""
+"""How much memory the processes of a program use together, shared memory counted once."""
 
 from __future__ import annotations
 
@@ -9,33 +9,33 @@ from collections.abc import Mapping, Sequence
 from judge.sandbox.keeper.libc import system_call
 from judge.sandbox.keeper.proc import EXITING, FLAGS, Process, fields, read
 
-INODE_BYTES = 1024  # of a memory file system, its name included; about
-WMEM_DEFAULT_BYTES = 212992  # of most kernels
-FEW = 8  # processes, of which everything can be asked at every look
-WALL_PROCESSES = 2  # one outside, and the first within
-WALL_MIB = 8.0  # more than either has, unless the program has taken it over
+INODE_BYTES = 1024  # about what a file of a memory file system takes, with its name
+WMEM_DEFAULT_BYTES = 212992  # the default of most kernels
+FEW = 8  # with so few processes, page tables are read at every sample
+WALL_PROCESSES = 2  # bubblewrap itself, and the first process inside
+WALL_MIB = 8.0  # either has less, unless the program has taken it over
 SHARED_EVERY_S, SHARED_AT_LEAST_EVERY_S = 0.2, 0.5
-SHARE_OF_TIME = 10.0  # a slow look every ten times as long as it takes
+SLOWNESS = 10.0  # between two exact measurements passes ten times what one takes
 KCMP, KCMP_VM = {"x86_64": 312, "aarch64": 272}, 1
 
 
 class Memory:
-    """Looks at the memory of a program again and again.
+    """Measures the memory of one program at every sample.
 
-    scratch: the sizes in bytes of the wall's memory file systems by their places, empty
+    scratch: the wall's memory file systems by place, with their sizes in bytes; empty
     without a wall. What they hold is the program's, and no process shows it.
     """
 
     def __init__(self, scratch: Mapping[str, int]) -> None:
         self._scratch = scratch
-        self._shared_mib: dict[tuple[int, str], float] = {}  # at the last careful look
+        self._shared_mib: dict[tuple[int, str], float] = {}  # at the last exact measurement
         self._next_s = 0.0
 
     def used_mib(self, live: Sequence[Process], limit_mib: float) -> float:
         """Return the memory in use by all of `live`, parents first.
 
-        To find out what several processes share is slow: it is done now and then, and when
-        what was shared last time does not explain it. Otherwise this is what there is at least.
+        Measuring shared memory is slow, so it is done now and then, and whenever the limit
+        might be passed; in between, the result is a lower bound.
         """
         walls = live[: WALL_PROCESSES if self._scratch else 0]
         own = [process for process in walls if process.resident_mib > WALL_MIB]
@@ -45,21 +45,22 @@ class Memory:
         beyond_mib = self._held_mib(live)
         if len(own) <= FEW or is_time:
             beyond_mib += sum(map(tables_mib, own))
-        likely_mib = [p.resident_mib - self._shared_mib.get(p.name, 0.0) for p in own]
+        likely_mib = [p.resident_mib - self._shared_mib.get(p.identity, 0.0) for p in own]
         if sum(likely_mib) + beyond_mib <= limit_mib and not is_time:
             return max(likely_mib, default=0.0) + beyond_mib
-        # Of scratch, what is mapped is held already.
-        exact_mib = {p.name: proportional_mib(p, bool(self._scratch)) for p in distinct(own)}
-        self._shared_mib = {p.name: p.resident_mib - exact_mib.get(p.name, 0.0) for p in own}
-        slow_s = SHARE_OF_TIME * (time.monotonic() - now_s)
+        # Mapped files of scratch are counted with scratch.
+        exact_mib = {p.identity: proportional_mib(p, bool(self._scratch)) for p in distinct(own)}
+        self._shared_mib = {
+            p.identity: p.resident_mib - exact_mib.get(p.identity, 0.0) for p in own
+        }
+        slow_s = SLOWNESS * (time.monotonic() - now_s)
         self._next_s = now_s + min(max(slow_s, SHARED_EVERY_S), SHARED_AT_LEAST_EVERY_S)
         return sum(exact_mib.values()) + beyond_mib
 
     def _held_mib(self, live: Sequence[Process]) -> float:
-        """Return what file systems and sockets behind the wall hold, as whoever is there sees them.
+        """Return what file systems and sockets behind the wall hold, as a process there sees them.
 
-        A file system of another size is not ours: the wall is not built to its end yet, and
-        the process still sees this machine's own.
+        A file system of another size is this machine's own: the wall is not complete yet.
         """
         if not self._scratch:
             return 0.0
@@ -67,7 +68,7 @@ class Memory:
         return next((found for found in held if found is not None), 0) / 2**20
 
     def _held_bytes(self, process: Process) -> int | None:
-        """Return what `process` sees of it, None if it does not see all that is ours."""
+        """Return what `process` sees of it, None if it does not see all of the scratch."""
         held = 0
         for place, size in self._scratch.items():
             try:
@@ -86,8 +87,8 @@ class Memory:
 def proportional_mib(process: Process, without_scratch: bool) -> float:
     """Return the memory of a process with every shared page divided among its users.
 
-    without_scratch: leave out mapped files of memory file systems. A process may keep others
-    from looking: then it is what is resident, unless it is ending and has nothing any more.
+    without_scratch: leave out mapped files of memory file systems. If the process does not
+    let others look, this is its resident memory, or 0 if it is just ending.
     """
     lines = read(f"{process.place}/smaps_rollup").splitlines()
     kib = {line.split()[0]: int(line.split()[1]) for line in lines if line.endswith(" kB")}
@@ -98,7 +99,7 @@ def proportional_mib(process: Process, without_scratch: bool) -> float:
 
 
 def distinct(processes: Sequence[Process]) -> list[Process]:
-    """Leave out who uses the very memory of another, as a child does between vfork and exec."""
+    """Leave out processes that run in the memory of another, as between vfork and exec."""
     kept: list[Process] = []
     for process in processes:
         alike = (other for other in kept if other.mapped_mib == process.mapped_mib)
@@ -114,11 +115,11 @@ def _same_memory(one: Process, other: Process) -> bool:
 
 
 def tables_mib(process: Process) -> float:
-    """Return the memory that only says where memory is: it may be more than the memory."""
+    """Return the memory of a process's page tables, which can exceed the memory they map."""
     lines = read(f"{process.place}/status").splitlines()
     return sum(int(line.split()[1]) for line in lines if line.startswith("VmPTE:")) / 1024
 
 
 def _socket_bytes() -> int:
-    """Return what a socket may hold that nobody has read; the kernel lets it be twice of this."""
+    """Return how many unread bytes a socket may hold; the kernel allows twice its setting."""
     return 2 * int(read("/proc/sys/net/core/wmem_default") or WMEM_DEFAULT_BYTES)

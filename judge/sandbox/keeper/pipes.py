@@ -1,4 +1,4 @@
-"""The three pipes of a program: what goes in, what comes out, never waiting for either."""
+"""The three pipes of a program, served without ever waiting for it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ BLOCK_BYTES = 1 << 16
 
 
 class Feeder:
-    """Feeds a file to a pipe: a file itself as standard input could be overwritten from inside."""
+    """Feeds a file to a pipe: a program could overwrite a file that it was given directly."""
 
     def __init__(self, source: int, pipe: int) -> None:
         self.fd = pipe
@@ -19,7 +19,7 @@ class Feeder:
         self._open = True
 
     def feed(self) -> bool:
-        """Write what fits; return whether there is more. The pipe is closed when there is not."""
+        """Write what fits; return whether there is more. At the end, close the pipe."""
         while True:
             if not self._block:
                 self._block = memoryview(os.read(self._source, BLOCK_BYTES))
@@ -42,7 +42,7 @@ class Feeder:
 
 
 class Sink:
-    """Takes both outputs: the first `limit` bytes of one into a file, the head of the other."""
+    """Takes the first `limit` bytes of standard output into a file, and the other's head."""
 
     def __init__(self, stdout: int, stderr: int, file: int, limit: int) -> None:
         self.open_fds = [stdout, stderr]
@@ -64,10 +64,10 @@ class Sink:
         return more
 
     def drain(self) -> None:
-        """Take what is in the pipes, and close them: every process that could write is gone.
+        """Take what is left in the pipes and close them; all processes that could write are gone.
 
-        There need not be an end: the kernel may still hold a writing end of it, sent over a
-        socket that nobody has read.
+        The pipe need not have ended: the kernel may still hold a writing end that was sent over
+        a socket and never received.
         """
         for fd in self.open_fds:
             with contextlib.suppress(BlockingIOError):
@@ -77,7 +77,7 @@ class Sink:
         self.open_fds.clear()
 
     def _read(self, fd: int) -> bool:
-        """Read once; return whether it was not the end. Raises BlockingIOError."""
+        """Read once; return False at the end of the pipe. Raises BlockingIOError."""
         block = os.read(fd, BLOCK_BYTES)
         if fd == self._stderr_fd:
             self.stderr += block[: STDERR_BYTES - len(self.stderr)]

@@ -10,7 +10,7 @@ from typing import NamedTuple
 TICK_S = 1 / os.sysconf("SC_CLK_TCK")
 PAGE_MIB = os.sysconf("SC_PAGE_SIZE") / 2**20
 
-# Where `fields` has what, and two of the states and flags. Source: proc(5).
+# Indices into `fields`; the states of ended processes, and a flag. Source: proc(5).
 STATE, FLAGS, USER, SYSTEM, WAITED_USER, WAITED_SYSTEM = 0, 6, 11, 12, 13, 14
 THREADS, STARTED, MAPPED, RESIDENT = 17, 19, 20, 21
 ENDED, EXITING = "ZX", 0x4
@@ -50,12 +50,11 @@ def threads_of(user: int) -> int:
 
 
 class Process(NamedTuple):
-    """What one look at a live process showed.
+    """One sample of a live process.
 
-    place: its directory in /proc, or that of a thread of it: a first thread that has
-    ended shows none of the memory that the others hold.
-    own_s, waited_s: CPU seconds, its own and of children it waited for. mapped_mib:
-    addresses, used or not.
+    place: its directory in /proc, or that of one of its threads if the first thread has
+    ended, as that shows no memory any more. own_s, waited_s: CPU seconds, its own and those
+    of the children that it reaped. mapped_mib: its address space, used or not.
     """
 
     pid: int
@@ -67,13 +66,13 @@ class Process(NamedTuple):
     mapped_mib: float
 
     @property
-    def name(self) -> tuple[int, str]:
-        """What no other process is called: a pid is used again, but not for one begun then."""
+    def identity(self) -> tuple[int, str]:
+        """A unique identity: pids are reused, but not with the same start time."""
         return self.pid, self.started
 
 
 def look_at(pid: int) -> Process | None:
-    """Return what a process shows, None if it is gone."""
+    """Return a sample of a process, None if it is gone."""
     place = f"/proc/{pid}"
     stat = fields(place)
     if not stat:
@@ -100,7 +99,7 @@ def fields(place: str) -> list[str]:
 
 
 def read(path: str | Path) -> str:
-    """Return the text of a file of /proc, or of control groups; empty if what it shows is gone."""
+    """Return the text of a file of /proc or a control group; empty if its process is gone."""
     try:
         with Path(path).open("rb", buffering=0) as file:
             return file.read().decode("latin-1")

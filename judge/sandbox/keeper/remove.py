@@ -9,9 +9,9 @@ import subprocess
 
 
 def remove(directory: str | os.PathLike[str]) -> None:
-    """Remove `directory` with directories that nobody may enter, and nested ones without end.
+    """Remove `directory`, also with directories that nobody may enter or that are nested deeply.
 
-    It says nothing if something stays: that can only be another user's.
+    Nothing is said about what stays: it can only belong to another user.
     """
     with contextlib.suppress(RecursionError):
         shutil.rmtree(directory, ignore_errors=True)

@@ -1,62 +1,68 @@
 """The keeper's side of the protocol.
 
-One JSON object a line on standard input, one a line back on standard output; see
-`watch.run`. The end of standard input, also in the middle of a run, means that the
-judge is gone: everything is killed and the scratch directory is removed. The first
-line back is `{"error": null}`, or why the scratch directory cannot be made.
+One request a line on standard input, one reply a line on standard output, as `protocol`
+encodes them. When standard input ends, also in the middle of a run, the judge is gone:
+everything is killed and the scratch directory is removed. The first reply says that the
+keeper is ready, or why the scratch directory cannot be made.
 """
 
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import signal
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 from judge.sandbox.keeper.launch import LaunchError
 from judge.sandbox.keeper.libc import LIBC
+from judge.sandbox.keeper.protocol import (
+    Facts,
+    Failure,
+    Request,
+    decode_request,
+    encode_reply,
+)
 from judge.sandbox.keeper.watch import CONTROL, JudgeGoneError, run
 
 PR_SET_CHILD_SUBREAPER = 36
 BLOCK_BYTES = 1 << 16
 
 
-def requests() -> Iterator[dict[str, Any]]:
+def requests() -> Iterator[Request]:
     """Yield the requests until standard input ends."""
     pending = b""
     while block := os.read(CONTROL, BLOCK_BYTES):
         pending += block
         while b"\n" in pending:
             line, _, pending = pending.partition(b"\n")
-            yield json.loads(line)
+            yield decode_request(line)
 
 
-def answer(request: dict[str, Any]) -> None:
-    """Serve one request: write the facts, or `{"error": why}`. Raises TimeoutError as `run`."""
+def answer(request: Request) -> None:
+    """Serve one request: write the facts, or why there are none. Raises TimeoutError as `run`."""
     failed = None
+    reply: Facts | Failure
     try:
         reply = run(request)
     except (LaunchError, OSError) as error:
         failed = error
-        reply = {"error": str(error)}
-    os.write(1, json.dumps(reply).encode() + b"\n")
+        reply = Failure(str(error))
+    os.write(1, encode_reply(reply))
     if isinstance(failed, TimeoutError):
-        raise failed  # what is left would be counted with the next program
+        raise failed  # its processes would be counted with those of the next program
 
 
 def make(scratch: str) -> str | None:
     """Make the scratch directory, which another keeper may have made; return what went wrong."""
     try:
-        # Behind a wall, root's programs are another user's: let that walk through, see no names.
+        # Behind a wall, root's programs run as another user, who may pass through but not list.
         Path(scratch).mkdir(mode=0o700 if os.getuid() else 0o711)
     except FileExistsError:
         return None
     except OSError as error:
-        return error.strerror
+        return error.strerror or str(error)
     return None
 
 
@@ -64,21 +70,23 @@ def main() -> None:
     """Serve the judge until it is gone."""
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)  # the end of standard input is what ends the keeper
-    signal.signal(signal.SIGCHLD, signal.SIG_DFL)  # who ignores it is never told of an end
+    signal.signal(
+        signal.SIGCHLD, signal.SIG_DFL
+    )  # with SIGCHLD ignored, no child could be waited for
     LIBC.prctl(PR_SET_CHILD_SUBREAPER, 1)
-    # Against a fork bomb that shares the processors fairly, the keeper would lose. Who may
-    # not set this is held by RLIMIT_NPROC, which does not hold those who may.
+    # A fork bomb that shares the processors fairly would starve the keeper. Only root may set
+    # this; other users' programs are held by RLIMIT_NPROC, which does not hold root.
     with contextlib.suppress(PermissionError):
         os.sched_setscheduler(0, os.SCHED_RR | os.SCHED_RESET_ON_FORK, os.sched_param(1))
     scratch = sys.argv[2]
     try:
         failed = make(scratch)
-        os.write(1, json.dumps({"error": failed}).encode() + b"\n")
+        os.write(1, encode_reply(None if failed is None else Failure(failed)))
         for request in requests():
             answer(request)
     except (JudgeGoneError, BrokenPipeError, TimeoutError):
         pass
-    # Only here: it would make every program's peak memory larger.
+    # Imported only here: it would make the least peak memory of every program larger.
     from judge.sandbox.keeper.remove import remove
 
     remove(scratch)

@@ -9,22 +9,22 @@ import signal
 import time
 from collections.abc import Mapping
 
-from judge.sandbox.keeper.cgroup import Group
+from judge.sandbox.keeper.cgroup import Cgroup
 from judge.sandbox.keeper.clock import Clock
 from judge.sandbox.keeper.memory import Memory
 from judge.sandbox.keeper.proc import children, descendants, look_at, read
 
 REAP_TIMEOUT_S = 10.0
-ORDERLY_END_S = 0.003  # after that, what is left is not ending by itself
+ORDERLY_END_S = 0.003  # what is left after that does not end by itself
 
 
 class Tree:
     """All processes below the keeper, which are those of the one program it runs.
 
-    cpu_s: the largest of four counts. Accounting (reaped processes, and what live
-    ones and their reaped children used) misses children reaped automatically; adding up
-    every process at its last sample misses what happened after that; the clock and
-    the group miss nothing, where there is one.
+    cpu_s: the largest of four counts. The kernel's accounting (of reaped processes, and of
+    live ones with their reaped children) misses children that were reaped automatically. The
+    sum over all processes at their last sample misses what happened later. The clock and the
+    control group miss nothing, where there is one.
 
     scratch: see `memory.Memory`.
     """
@@ -32,7 +32,7 @@ class Tree:
     def __init__(self, scratch: Mapping[str, int]) -> None:
         self._memory = Memory(scratch)
         self.clock: Clock | None = None
-        self.group: Group | None = None
+        self.cgroup: Cgroup | None = None
         self.cpu_s = 0.0
         self.memory_mib = 0.0
         self.processes = 0
@@ -43,10 +43,10 @@ class Tree:
         self._seen_s: dict[tuple[int, str], float] = {}
 
     def sample(self, memory_limit_mib: float) -> None:
-        """Look at every live process once."""
+        """Sample every live process once."""
         live = [process for process in map(look_at, descendants()) if process is not None]
         accounted_s = self._reaped_s + sum(process.own_s + process.waited_s for process in live)
-        self._seen_s.update({process.name: process.own_s for process in live})
+        self._seen_s.update({process.identity: process.own_s for process in live})
         self.processes = len(live)
         self.memory_mib = max(self.memory_mib, self._memory.used_mib(live, memory_limit_mib))
         self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()), self._counted_s())
@@ -54,7 +54,7 @@ class Tree:
     def starved_s(self) -> float:
         """Return how long a live process was ready to run while others had the processors.
 
-        The keeper is not one of them: it has what to do, however much, from the program.
+        The keeper's own time is left out: the program caused that work.
         """
         stats = [read(f"/proc/{pid}/schedstat").split() for pid in descendants()]
         ready_s = max((int(stat[1]) / 1e9 for stat in stats if stat), default=0.0)
@@ -63,25 +63,25 @@ class Tree:
     def end(self) -> None:
         """Kill and reap everything; when it returns, no child is left. Raises TimeoutError."""
         began = time.monotonic()
-        if self.group is not None:
-            self.group.kill()
+        if self.cgroup is not None:
+            self.cgroup.kill()
         while self._reap():
             waited_s = time.monotonic() - began
             if waited_s > REAP_TIMEOUT_S:
                 raise TimeoutError("processes of the program cannot be killed")
             if waited_s > ORDERLY_END_S:
-                # Freeze first: what is stopped cannot fork away from the list.
+                # Stop them first: a stopped process cannot fork while the list is worked off.
                 signal_all(descendants(), signal.SIGSTOP)
                 signal_all(descendants(), signal.SIGKILL)
             else:
-                # Behind a wall this ends all, in two steps: who held the first process of the
-                # namespace, and then that, with which the namespace dies.
+                # Behind a wall this ends everything in two steps: bubblewrap's outer process,
+                # then the first process of the namespace, and the kernel ends the rest.
                 signal_all(children(os.getpid()), signal.SIGKILL)
             time.sleep(0.0002)
         self.cpu_s = max(self.cpu_s, self._reaped_s, self._counted_s())
 
     def _counted_s(self) -> float:
-        counters = [counter for counter in (self.clock, self.group) if counter is not None]
+        counters = [counter for counter in (self.clock, self.cgroup) if counter is not None]
         return max((counter.cpu_s() for counter in counters), default=0.0)
 
     def _reap(self) -> bool:
@@ -106,7 +106,7 @@ def signal_all(pids: list[int], number: int) -> None:
 
 
 def peak_mib(tree: Tree) -> float:
-    """Return the peak memory, leaving out what a small program only inherited from the keeper."""
+    """Return the peak memory, but not the keeper's own, which a small program shows as its peak."""
     keeper_mib = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     if tree.largest_mib <= keeper_mib and tree.memory_mib > 0:
         return tree.memory_mib

@@ -1,9 +1,8 @@
-"""The keeper's side of the wall: in the child, between fork and exec, become `bwrap`.
+"""The keeper's side of the wall: in the child, between fork and exec, become bubblewrap.
 
-Run by root, the program must not be root: an unprivileged user is dropped to first, so
-that resource limits hold. That user may not be able to walk to what it shall see (a home
-directory is closed to others), so root binds it to a place of its own beforehand, in a
-mount namespace that nobody else sees.
+Resource limits do not hold root, so a child of root becomes an unprivileged user first. That
+user may be unable to reach the program's files (a home directory is closed to others), so
+root first binds them to a place of its own, in a mount namespace that nobody else sees.
 """
 
 from __future__ import annotations
@@ -11,30 +10,28 @@ from __future__ import annotations
 import ctypes
 import os
 from pathlib import Path
-from typing import Any
 
 from judge.sandbox.keeper.libc import LIBC
+from judge.sandbox.keeper.protocol import WallRequest
 
 NOBODY = 65534
 CLONE_NEWNS = 0x20000
 MS_BIND, MS_REC, MS_PRIVATE, MS_NOSUID, MS_NODEV = 0x1000, 0x4000, 0x40000, 2, 4
 STAGE = "/tmp"  # every system has it; hidden here by a mount of its own
-# RLIMIT_NPROC counts the processes of the inner user namespace only when set in there.
-# dash and bash call it differently.
-# Its first act says that the wall stands: only then is the program to blame for its end.
+# RLIMIT_NPROC counts the processes of a user namespace only if it is set inside; dash and bash
+# name it differently. The first command tells the keeper that the wall stands: from then on,
+# the program is to blame for how it ends.
 STARTED = 9  # one digit: dash knows no other descriptors
 INNER = 'echo >&9; exec 9>&-; ulimit -u "$0" 2>/dev/null || ulimit -p "$0"; exec "$@"'
 
 
-def walled(wall: dict[str, Any], argv: list[str], processes: int) -> tuple[str, list[str]]:
-    """Prepare the wall in this process; return the path of bwrap and its arguments.
+def walled(wall: WallRequest, argv: list[str], processes: int) -> tuple[str, list[str]]:
+    """Prepare the wall in this process; return the path of bubblewrap and its arguments.
 
-    wall: bwrap, its path; args: what it is told besides the binds; binds: triples of
-    source, destination, and whether it is writable; seccomp: the filter in hexadecimal.
-    (scratch, what its memory file systems are, is `tree.Tree`'s to know.) Raises OSError.
+    Raises OSError.
     """
-    bwrap = wall["bwrap"]
-    sources = [source for source, _, _ in wall["binds"]]
+    bwrap = wall.bwrap
+    sources = [source for source, _, _ in wall.binds]
     if os.getuid() == 0:
         # A packaged bwrap loads a library that lies beside its package: it needs both.
         packages = Path(bwrap).parents[2]
@@ -45,10 +42,10 @@ def walled(wall: dict[str, Any], argv: list[str], processes: int) -> tuple[str, 
             if own:
                 bwrap = f"{staged[-1]}/{Path(bwrap).relative_to(packages)}"
         drop()
-    args = list(wall["args"])
-    for source, (_, destination, writable) in zip(sources, wall["binds"], strict=True):
+    args = list(wall.args)
+    for source, (_, destination, writable) in zip(sources, wall.binds, strict=True):
         args += ["--bind" if writable else "--ro-bind", source, destination]
-    seccomp = inherited(bytes.fromhex(wall["seccomp"]))
+    seccomp = inherited(bytes.fromhex(wall.seccomp))
     args += ["--seccomp", str(seccomp), "--remount-ro", "/"]
     # From a descriptor, as the command line can be read from inside.
     told = inherited(b"".join(arg.encode() + b"\0" for arg in args))
@@ -57,14 +54,14 @@ def walled(wall: dict[str, Any], argv: list[str], processes: int) -> tuple[str, 
 
 
 def drop() -> None:
-    """Become, from root, a user who owns nothing."""
+    """Change from root to a user who owns nothing."""
     os.setgroups([])
     os.setresgid(NOBODY, NOBODY, NOBODY)
     os.setresuid(NOBODY, NOBODY, NOBODY)
 
 
 def open_to_all(path: str) -> bool:
-    """May every user walk to `path`? A new mount namespace is not cheap."""
+    """Tell whether every user can reach `path`; only if not, a slow mount namespace is needed."""
     return all(parent.stat().st_mode & 0o001 for parent in Path(path).parents)
 
 

@@ -6,15 +6,16 @@ import os
 import select
 import time
 from pathlib import Path
-from typing import Any
 
 from judge.sandbox.keeper.cgroup import SLACK_MIB
 from judge.sandbox.keeper.launch import LaunchError, launch
 from judge.sandbox.keeper.pipes import Feeder, Sink
+from judge.sandbox.keeper.protocol import Facts, Request, Stop
 from judge.sandbox.keeper.tree import Tree, peak_mib
 
 CONTROL = 0
-SAMPLE_S = 0.02
+FIRST_SAMPLE_S, SAMPLE_S = 0.005, 0.02  # a short run shows its memory only early
+SAMPLE_GROWTH = 0.4
 STARVED_AT_MOST_S = 60.0
 
 
@@ -22,62 +23,55 @@ class JudgeGoneError(Exception):
     """The judge closed its end: nobody waits for an answer."""
 
 
-def run(request: dict[str, Any]) -> dict[str, Any]:
+def run(request: Request) -> Facts:
     """Run one program to its end and return the facts.
 
-    Request: argv, env, cwd; stdin: path of a file fed through a pipe, or null;
-    stdout: path of a file to write; kill_cpu_s, kill_wall_s, memory_mib,
-    output_bytes, processes: where to end it; file_mib: the largest file it may write;
-    drop: whether to drop from root to an unprivileged user, as a wall always does;
-    wall: what `wall.walled` wants, null for none; group: what
-    `judge.sandbox.cgroups.Groups.request` returns.
-    Reply: the fields of `judge.sandbox.facts.Facts`; stderr as Latin-1 text.
-    Raises LaunchError, JudgeGoneError, TimeoutError; no process is left in any case but the last.
+    Raises LaunchError, JudgeGoneError, TimeoutError; only the last leaves processes behind.
     """
-    tree = Tree(request["wall"]["scratch"] if request["wall"] else {})
-    source_path, out_path = Path(request["stdin"] or os.devnull), Path(request["stdout"])
+    tree = Tree(request.wall.scratch if request.wall else {})
+    source_path, out_path = Path(request.stdin or os.devnull), Path(request.stdout)
     with source_path.open("rb") as source, out_path.open("wb") as out:
         started = time.monotonic()
         launched = launch(request)
-        pid, tree.clock, tree.group = launched.pid, launched.clock, launched.group
+        pid, tree.clock, tree.cgroup = launched.pid, launched.clock, launched.cgroup
         feeder = Feeder(source.fileno(), launched.stdin)
-        sink = Sink(launched.stdout, launched.stderr, out.fileno(), request["output_bytes"])
+        sink = Sink(launched.stdout, launched.stderr, out.fileno(), request.output_bytes)
         try:
             stopped = watch(pid, feeder, sink, tree, started, request)
         finally:
             tree.end()
             launched.clock.close()
-            out_of_memory = launched.group.out_of_memory
-            launched.group.close()
+            out_of_memory = launched.cgroup.out_of_memory
+            launched.cgroup.close()
             feeder.close()
         if stopped is None and out_of_memory:
-            stopped = "memory"
-            tree.memory_mib = max(tree.memory_mib, request["memory_mib"] + SLACK_MIB)
-        wall_s = time.monotonic() - started
+            stopped = Stop.MEMORY
+            tree.memory_mib = max(tree.memory_mib, request.memory_mib + SLACK_MIB)
+        elapsed_s = time.monotonic() - started
         sink.drain()
-    stands = os.read(launched.started, 1) if request["wall"] else b"none asked for"
-    os.close(launched.started)
-    if not stands:
+    wall_stands = os.read(launched.wall_stands, 1) if request.wall else b"none was asked for"
+    os.close(launched.wall_stands)
+    if not wall_stands:
         raise LaunchError(f"the wall does not stand: {sink.stderr.decode('latin-1').strip()}")
     status = tree.status[pid]
-    if request["wall"] and stopped is None and os.WIFSIGNALED(status):
-        # The program cannot reach what stands around it.
+    if request.wall and stopped is None and os.WIFSIGNALED(status):
+        # This is bubblewrap's own process, which the program cannot reach.
         raise LaunchError(f"the wall was ended by signal {os.WTERMSIG(status)}")
-    return {
-        "exit_status": os.WEXITSTATUS(status) if os.WIFEXITED(status) else None,
-        "signal": os.WTERMSIG(status) if os.WIFSIGNALED(status) else None,
-        "cpu_s": tree.cpu_s,
-        "wall_s": wall_s,
-        "memory_mib": peak_mib(tree),
-        "output_bytes": sink.written,
-        "stopped": stopped,
-        "stderr": sink.stderr.decode("latin-1"),
-    }
+    return Facts(
+        exit_status=os.WEXITSTATUS(status) if os.WIFEXITED(status) else None,
+        signal=os.WTERMSIG(status) if os.WIFSIGNALED(status) else None,
+        cpu_s=tree.cpu_s,
+        elapsed_s=elapsed_s,
+        memory_mib=peak_mib(tree),
+        output_bytes=sink.written,
+        stopped=stopped,
+        stderr=sink.stderr,
+    )
 
 
 def watch(
-    pid: int, feeder: Feeder, sink: Sink, tree: Tree, started: float, request: dict[str, Any]
-) -> str | None:
+    pid: int, feeder: Feeder, sink: Sink, tree: Tree, started: float, request: Request
+) -> Stop | None:
     """Serve the pipes until the program ends (None) or passes a limit (which one)."""
     pidfd = os.pidfd_open(pid)
     poll = select.poll()
@@ -86,8 +80,7 @@ def watch(
     for fd in sink.open_fds:
         poll.register(fd, select.POLLIN)
     poll.register(feeder.fd, select.POLLOUT)
-    memory_mib = request["memory_mib"]
-    next_sample = started + SAMPLE_S / 4
+    next_sample = started + FIRST_SAMPLE_S
     try:
         while True:
             wait_s = max(0.0, next_sample - time.monotonic())
@@ -99,21 +92,22 @@ def watch(
                 more = feeder.feed() if fd == feeder.fd else sink.take(fd)
                 if not more:
                     poll.unregister(fd)
-            if sink.written > request["output_bytes"]:
-                return "output"
+            if sink.written > request.output_bytes:
+                return Stop.OUTPUT
             now = time.monotonic()
             if now < next_sample:
                 continue
-            next_sample = now + SAMPLE_S
-            tree.sample(memory_mib)
-            if tree.memory_mib > memory_mib:
-                return "memory"
-            if tree.processes > request["processes"]:
-                return "processes"
-            if tree.cpu_s > request["kill_cpu_s"]:
-                return "cpu"
-            waited_s = now - started - request["kill_wall_s"]
+            growing_s = max(FIRST_SAMPLE_S, SAMPLE_GROWTH * (now - started))
+            next_sample = now + min(growing_s, SAMPLE_S)
+            tree.sample(request.memory_mib)
+            if tree.memory_mib > request.memory_mib:
+                return Stop.MEMORY
+            if tree.processes > request.processes:
+                return Stop.PROCESSES
+            if tree.cpu_s > request.kill_cpu_s:
+                return Stop.CPU
+            waited_s = now - started - request.kill_elapsed_s
             if waited_s > 0 and waited_s > min(tree.starved_s(), STARVED_AT_MOST_S):
-                return "wall"
+                return Stop.ELAPSED
     finally:
         os.close(pidfd)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import subprocess
 import sys
@@ -16,10 +15,11 @@ from types import SimpleNamespace
 import pytest
 
 from judge.kit.paths import ROOT
-from judge.sandbox.cgroups import LEAF, Groups
-from judge.sandbox.facts import RunLimits, Stop
-from judge.sandbox.keeper.cgroup import SLACK_MIB, Group
-from judge.sandbox.keeper.launch import place_of_group
+from judge.sandbox.cgroups import LEAF, Cgroups
+from judge.sandbox.facts import Facts, RunLimits, Stop
+from judge.sandbox.keeper.cgroup import SLACK_MIB, Cgroup
+from judge.sandbox.keeper.launch import place_of_cgroup
+from judge.sandbox.keeper.protocol import CgroupRequest, Request, decode_reply, encode_request
 from judge.sandbox.probe import probe
 from judge.sandbox.sandbox import Command, Sandbox
 
@@ -49,7 +49,7 @@ def fake(tmp_path: Path):
 
 def test_the_own_group_is_found(fake) -> None:
     process, own = fake()
-    groups = Groups(process)
+    groups = Cgroups(process)
     assert groups.directory == own
     assert (own / "cgroup.subtree_control").read_text() == "+memory +pids"
     groups.close("none")
@@ -58,7 +58,7 @@ def test_the_own_group_is_found(fake) -> None:
 
 def test_in_a_container_names_are_below_its_part_of_the_hierarchy(fake) -> None:
     process, own = fake(group="/machine/a/b", root="/machine/a")
-    assert Groups(process).directory == own
+    assert Cgroups(process).directory == own
     assert own.name == "b"
 
 
@@ -66,9 +66,9 @@ def test_in_a_container_names_are_below_its_part_of_the_hierarchy(fake) -> None:
 def test_without_cgroup_v2_there_is_none(fake, missing: str) -> None:
     process, _ = fake()
     (process / missing).write_text("")
-    assert Groups(process).directory is None
+    assert Cgroups(process).directory is None
     (process / missing).unlink()
-    assert Groups(process).directory is None
+    assert Cgroups(process).directory is None
 
 
 def test_a_group_where_none_can_be_made_is_left_alone(fake, monkeypatch) -> None:
@@ -78,7 +78,7 @@ def test_a_group_where_none_can_be_made_is_left_alone(fake, monkeypatch) -> None
         raise PermissionError
 
     monkeypatch.setattr(Path, "mkdir", refuse)
-    assert Groups(process).directory is None
+    assert Cgroups(process).directory is None
     assert (own / "cgroup.subtree_control").read_text() == ""
 
 
@@ -95,7 +95,7 @@ def test_who_is_alone_in_its_group_moves_below_and_back(fake, monkeypatch) -> No
         return write_text(path, text)
 
     monkeypatch.setattr(Path, "write_text", write)
-    groups = Groups(process)
+    groups = Cgroups(process)
     groups.close("none")
     assert wrote == [
         ("cgroup.subtree_control", "+memory +pids"),
@@ -115,7 +115,7 @@ def test_a_program_is_put_in_a_group_with_its_limits(tmp_path: Path, monkeypatch
             (path / name).touch()
 
     monkeypatch.setattr(Path, "mkdir", kernel_mkdir)
-    group = Group(f"{tmp_path}/g", 17, memory_mib=100, processes=9)
+    group = Cgroup(f"{tmp_path}/g", 17, memory_mib=100, processes=9)
     wrote = [(tmp_path / "g" / name).read_text() for name in CONTROLS]
     assert wrote == [str(116 << 20), "0", "1", "9", "17"]
     assert (group.cpu_s(), group.out_of_memory) == (0.0, False)
@@ -128,7 +128,7 @@ def test_a_program_is_put_in_a_group_with_its_limits(tmp_path: Path, monkeypatch
 
 def test_where_no_group_is_granted_nothing_is_left(tmp_path: Path) -> None:
     # What no kernel made has no cgroup.procs to write to.
-    group = Group(f"{tmp_path}/g", 17, memory_mib=100, processes=9)
+    group = Cgroup(f"{tmp_path}/g", 17, memory_mib=100, processes=9)
     assert list(tmp_path.iterdir()) == []
     group.kill()
     group.close()
@@ -136,35 +136,38 @@ def test_where_no_group_is_granted_nothing_is_left(tmp_path: Path) -> None:
 
 
 KERNEL_ENDS_IT = """
-import json, sys
+import os, sys
 from judge.sandbox.keeper import watch
-from judge.sandbox.keeper.cgroup import Group
-Group.out_of_memory = True
-print(json.dumps(watch.run(json.loads(sys.argv[1]))))
+from judge.sandbox.keeper.cgroup import Cgroup
+from judge.sandbox.keeper.protocol import decode_request, encode_reply
+Cgroup.out_of_memory = True
+os.write(1, encode_reply(watch.run(decode_request(sys.argv[1].encode()))))
 """
 
 
 def test_what_the_kernel_ends_for_its_memory_is_over_the_limit(tmp_path: Path) -> None:
-    program = [sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"]
-    limits = {"kill_cpu_s": 9, "kill_wall_s": 9, "memory_mib": 64, "output_bytes": 9}
-    places = {"cwd": "/", "env": {}, "stdin": None, "stdout": f"{tmp_path}/out"}
-    more = {"processes": 64, "file_mib": 1, "wall": None, "group": None, "drop": False}
-    request = json.dumps({"argv": program, **limits, **places, **more})
+    request = Request(
+        argv=(sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"),
+        **{"cwd": "/", "env": {}, "stdin": None, "stdout": f"{tmp_path}/out"},
+        **{"kill_cpu_s": 9, "kill_elapsed_s": 9, "memory_mib": 64, "output_bytes": 9},
+        **{"processes": 64, "file_mib": 1, "wall": None, "cgroup": None, "drop": False},
+    )
     reader, writer = os.pipe()  # its control: silent, not closed
     done = subprocess.run(
-        [sys.executable, "-c", KERNEL_ENDS_IT, request],
+        [sys.executable, "-c", KERNEL_ENDS_IT, encode_request(request).decode()],
         **{"stdin": reader, "stdout": subprocess.PIPE, "cwd": ROOT, "timeout": 60, "check": True},
     )
     os.close(reader)
     os.close(writer)
-    facts = json.loads(done.stdout)
-    assert (facts["signal"], facts["stopped"], facts["memory_mib"]) == (9, "memory", 64 + SLACK_MIB)
+    facts = decode_reply(done.stdout)
+    assert isinstance(facts, Facts)
+    assert (facts.signal, facts.stopped, facts.memory_mib) == (9, Stop.MEMORY, 64 + SLACK_MIB)
 
 
 @pytest.fixture
 def real() -> Iterator[Path]:
     """The directory where real groups can be made."""
-    groups = Groups()
+    groups = Cgroups()
     if groups.directory is None:
         pytest.skip("this user may make no control groups")
     yield groups.directory
@@ -189,7 +192,7 @@ os.read(reader, 1)
 def test_a_real_group_counts_and_ends_what_has_left_its_parent(real: Path) -> None:
     process = subprocess.Popen([sys.executable, "-c", UNSEEN], stdin=subprocess.PIPE)
     directory = real / f"{LEAF}-test-{process.pid}"
-    group = Group(str(directory), process.pid, memory_mib=64, processes=8)
+    group = Cgroup(str(directory), process.pid, memory_mib=64, processes=8)
     process.communicate(b"\n", timeout=60)
     assert group.cpu_s() >= 0.2
     left = (directory / "cgroup.procs").read_text().split()
@@ -203,7 +206,7 @@ def test_a_real_group_counts_and_ends_what_has_left_its_parent(real: Path) -> No
 
 
 def test_what_a_killed_keeper_leaves_is_removed(real: Path) -> None:
-    groups = Groups()
+    groups = Cgroups()
     assert groups.directory is not None
     left = groups.directory / "collision-course-left-17"
     left.mkdir()
@@ -216,12 +219,13 @@ def test_what_a_killed_keeper_leaves_is_removed(real: Path) -> None:
 @pytest.mark.parametrize("limits", [False, True])
 def test_a_group_is_made_where_it_adds_something(walled: bool, granted: bool, limits: bool) -> None:
     clock = SimpleNamespace(granted=granted)
-    wall = {"bwrap": "/usr/bin/bwrap"} if walled else None
-    request = {"wall": wall, "group": {"place": "/groups/name", "limits": limits}}
+    wall = "a wall" if walled else None
+    request = SimpleNamespace(wall=wall, cgroup=CgroupRequest("/groups/name", limits))
     nothing_to_gain = walled and granted and not limits
-    place = place_of_group(request, clock)  # type: ignore[arg-type] # as much of a clock as it asks
+    place = place_of_cgroup(request, clock)  # type: ignore[arg-type] # as much of a clock as it asks
     assert place == (None if nothing_to_gain else f"/groups/name-{os.getpid()}")
-    assert place_of_group(request | {"group": None}, clock) is None  # type: ignore[arg-type] # so
+    request.cgroup = None
+    assert place_of_cgroup(request, clock) is None  # type: ignore[arg-type] # so
 
 
 @pytest.mark.parametrize("wall", [False, True])
@@ -251,8 +255,8 @@ def test_delegated_controllers_hold_memory_and_processes(real: Path, tmp_path: P
                         held[file] = (group / file).read_text().strip()
 
     with Sandbox() as sandbox:
-        request = sandbox._groups.request(sandbox.scratch.name)
-        if request is None or not request["limits"]:
+        request = sandbox._cgroups.request(sandbox.scratch.name)
+        if request is None or not request.limits:
             pytest.skip("no controllers are delegated to this user")
         watcher = Thread(target=look, args=(sandbox.scratch.name,))
         watcher.start()

@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 
 from judge.compare import Mismatch
 from judge.decide import decide
+from judge.languages.submission import Program, Submission
+from judge.languages.table import by_name
 from judge.problem.verdict import Verdict
 from judge.sandbox.facts import Facts, RunLimits, Stop
+from judge.sandbox.sandbox import Command
 
 LIMITS = RunLimits(time_limit_s=2.0, memory_mib=100, output_mib=1)
 FINE = Facts(
-    exit_status=0, signal=None, cpu_s=1.0, wall_s=1.1, memory_mib=50, output_bytes=9, stopped=None
+    exit_status=0,
+    signal=None,
+    cpu_s=1.0,
+    elapsed_s=1.1,
+    memory_mib=50,
+    output_bytes=9,
+    stopped=None,
 )
 KILLED = {"exit_status": None, "signal": 9}
 WRONG = Mismatch(scenario=3, line=3, column=1, expected="NO", found="YES")
@@ -26,11 +33,9 @@ ROWS = [
     ({}, WRONG, Verdict.WA, "scenario 3: expected NO"),
     ({"exit_status": 3}, None, Verdict.RTE, "exit status 3"),
     ({"exit_status": 3}, WRONG, Verdict.RTE, "exit status 3"),
-    ({"exit_status": 1, "stderr": b"a\nKeyError: 7\n"}, None, Verdict.RTE, "1: KeyError: 7"),
     ({"exit_status": -3}, None, Verdict.RTE, "exit status -3"),
     ({"exit_status": 139}, None, Verdict.RTE, "exit status 139 (its own, or ended by SIGSEGV"),
     ({"exit_status": 128}, None, Verdict.RTE, "exit status 128"),
-    ({"exit_status": 1, "stderr": JAVA}, None, Verdict.RTE, '1: Exception in thread "main" x'),
     ({"exit_status": None, "signal": 11}, None, Verdict.RTE, "SIGSEGV"),
     ({"exit_status": None, "signal": 40}, None, Verdict.RTE, "signal 40"),
     ({"cpu_s": 2.0}, None, Verdict.AC, ""),
@@ -38,8 +43,8 @@ ROWS = [
     ({"cpu_s": 2.01}, WRONG, Verdict.TLE, "CPU time"),
     ({"cpu_s": 2.01, "exit_status": 1}, None, Verdict.TLE, "CPU time"),
     ({**KILLED, "stopped": Stop.CPU, "cpu_s": 2.3}, WRONG, Verdict.TLE, "CPU time"),
-    ({**KILLED, "stopped": Stop.WALL, "wall_s": 7.0}, WRONG, Verdict.TLE, "slept or waited"),
-    ({"wall_s": 6.9}, None, Verdict.AC, ""),
+    ({**KILLED, "stopped": Stop.ELAPSED, "elapsed_s": 7.0}, WRONG, Verdict.TLE, "slept or waited"),
+    ({"elapsed_s": 6.9}, None, Verdict.AC, ""),
     ({"memory_mib": 100.0}, None, Verdict.AC, ""),
     ({"memory_mib": 100.1}, None, Verdict.MLE, "limit 100 MiB"),
     ({**KILLED, "stopped": Stop.MEMORY, "memory_mib": 120}, WRONG, Verdict.MLE, "120 MiB"),
@@ -55,7 +60,7 @@ ROWS = [
 def test_facts_to_verdict(
     change: dict[str, object], mismatch: Mismatch | None, verdict: Verdict, words: str
 ) -> None:
-    judgement = decide(replace(FINE, **change), LIMITS, mismatch)  # type: ignore[arg-type] # fields by name
+    judgement = decide(FINE._replace(**change), LIMITS, mismatch)
     assert judgement.verdict is verdict
     assert words in judgement.message
     assert (judgement.message == "") == (verdict is Verdict.AC)
@@ -65,6 +70,21 @@ def test_every_stop_has_a_row() -> None:
     assert {row[0].get("stopped") for row in ROWS} == {None, *Stop}
 
 
-def test_a_message_cannot_move_the_cursor() -> None:
-    facts = replace(FINE, exit_status=1, stderr=b"\x1b[2J\x1b[H AC")
-    assert "\x1b" not in decide(facts, LIMITS, None).message
+@pytest.mark.parametrize(
+    ("language", "stderr", "reason"),
+    [
+        ("python", b"Traceback\n  File\nKeyError: 7\n", "KeyError: 7"),
+        ("python", JAVA, "\tat Main.main"),
+        ("java", JAVA, 'Exception in thread "main" x'),
+        ("java", b"Killed\n", "Killed"),
+        ("c++", b"", ""),
+        ("c++", b"\x1b[2J\x1b[H AC", r"\x1b[2J\x1b[H AC"),  # it cannot move the cursor
+    ],
+)
+def test_the_reason_of_a_crash(language: str, stderr: bytes, reason: str) -> None:
+    program = Program(Submission("x", by_name(language), b""), Command(("/x",)))
+    found = program.reason(stderr)
+    assert found == reason.expandtabs(4)
+    crashed = FINE._replace(exit_status=1)
+    message = f"exit status 1: {found}" if reason else "exit status 1"
+    assert decide(crashed, LIMITS, None, found).message == message

@@ -1,0 +1,77 @@
+"""Verdicts that were found before, kept for tools that say that they look them up.
+
+A verdict is looked up only if nothing has changed that it depends on: the source, its
+language, the declared limits, both files of the test case, and the judge's own code.
+`checker.py` keeps its verdicts and always runs; `python -m strength` looks them up.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import platform
+from collections.abc import Iterable, Mapping
+from functools import cache
+
+from judge.kit.paths import ROOT
+from judge.kit.store import Store
+from judge.languages.submission import Submission
+from judge.problem.cases import Case
+from judge.problem.manifest import Entry, Manifest
+from judge.problem.verdict import Verdict
+from judge.sandbox.facts import RunLimits
+
+KIND = "verdict"
+NOT_PART_OF_JUDGING = ("judge/kit/", "judge/reports/")
+
+
+class KeptVerdicts:
+    """The verdicts of one submission under the declared limits.
+
+    Only test cases that the manifest names are known by their sums, so only theirs are kept.
+    """
+
+    def __init__(
+        self, store: Store, submission: Submission, limits: RunLimits, manifest: Manifest
+    ) -> None:
+        self._store = store
+        self._entries = manifest.cases
+        self._head = _digest(
+            hashlib.sha256(submission.source).hexdigest(),
+            submission.language.name,
+            repr(limits),
+            judge_digest(),
+        )
+
+    def look_up(self, cases: Iterable[Case]) -> dict[str, Verdict]:
+        """Return the verdicts that are kept, by the names of their cases."""
+        keys = {self._key(self._entries[c.name]): c.name for c in cases if c.name in self._entries}
+        found = self._store.get(KIND, keys)
+        return {keys[key]: Verdict(word) for key, word in found.items()}
+
+    def keep(self, verdicts: Mapping[str, Verdict]) -> None:
+        """Keep verdicts by the names of their cases. The failures of a judge are not kept."""
+        values = {
+            self._key(self._entries[name]): verdict.value
+            for name, verdict in verdicts.items()
+            if verdict is not Verdict.JE and name in self._entries
+        }
+        if values:
+            self._store.put(KIND, values)
+
+    def _key(self, entry: Entry) -> str:
+        return _digest(self._head, entry.input.sha256, entry.answer.sha256)
+
+
+@cache
+def judge_digest() -> str:
+    """Return a digest of the code that judges, and of the Python that it runs on."""
+    digest = hashlib.sha256(platform.python_version().encode())
+    for path in sorted((ROOT / "judge").rglob("*")):
+        name = path.relative_to(ROOT).as_posix()
+        if path.suffix in (".py", ".toml") and not name.startswith(NOT_PART_OF_JUDGING):
+            digest.update(f"\0{name}\0".encode() + path.read_bytes())
+    return digest.hexdigest()
+
+
+def _digest(*parts: str) -> str:
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()
