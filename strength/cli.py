@@ -11,15 +11,14 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from judge.judging import machine_scale
 from judge.kit.command import add_jobs, run
 from judge.kit.processors import processors
 from judge.kit.progress import progress_bar
 from judge.kit.store import Store
 from judge.kit.text import did_you_mean
 from judge.languages.submission import SubmissionError
-from judge.problem.cases import Case
-from judge.problem.data import load_data
+from judge.machine import scale_of
+from judge.problem.data import Data, load_data
 from judge.problem.declaration import Problem, load
 from judge.sandbox.sandbox import Sandbox
 from strength.analysis import Analysis, analyse
@@ -71,7 +70,7 @@ def _matrix_command(arguments: Sequence[str]) -> int:
     groups = [word for word in options.groups.split(",") if word] or problem.group_names
     with Store() as store:
         data = load_data(problem, groups=groups, store=store)
-        matrix = _judged(options.submission or known, data.chosen, problem, store, options.jobs)
+        matrix = _judged(options.submission or known, data, problem, store, options.jobs)
     families = {name: entry.family for name, entry in data.manifest.cases.items()}
     analysis = analyse(matrix, problem, families)
     _print(matrix, analysis, time.perf_counter() - start, cases=options.cases)
@@ -81,17 +80,17 @@ def _matrix_command(arguments: Sequence[str]) -> int:
 
 
 def _judged(
-    submissions: Sequence[str], cases: Sequence[Case], problem: Problem, store: Store, jobs: int
+    submissions: Sequence[str], data: Data, problem: Problem, store: Store, jobs: int
 ) -> Matrix:
-    total = len(submissions) * len(cases)
+    total = len(submissions) * len(data.chosen)
     with Sandbox() as sandbox, progress_bar("timing the reference solution", total) as bar:
 
         def done(submission: str) -> None:
             bar.say(submission)
             bar.advance()
 
-        scale = machine_scale(problem, sandbox) or 1.0
-        return build(submissions, cases, problem, sandbox, store, scale=scale, jobs=jobs, done=done)
+        scale = scale_of(problem, sandbox)
+        return build(submissions, data, problem, sandbox, store, scale=scale, jobs=jobs, done=done)
 
 
 def _print(matrix: Matrix, analysis: Analysis, seconds: float, *, cases: bool) -> None:

@@ -6,16 +6,17 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, replace
 
+from judge.kept import KeptVerdicts
 from judge.kit.paths import SUBMISSIONS
 from judge.kit.store import Store
-from judge.languages.submission import CompileError, compile_submission, read_submission
-from judge.pool import run_case
+from judge.languages.submission import CompileError, Program, compile_submission, read_submission
 from judge.problem.cases import Case
+from judge.problem.data import Data
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
+from judge.run import run_case
 from judge.sandbox.facts import RunLimits
-from judge.sandbox.sandbox import Command, Sandbox
-from strength.kept import KeptVerdicts
+from judge.sandbox.sandbox import Sandbox
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +41,7 @@ class Matrix:
 
 def build(
     submissions: Sequence[str],
-    cases: Sequence[Case],
+    data: Data,
     problem: Problem,
     sandbox: Sandbox,
     store: Store,
@@ -49,7 +50,7 @@ def build(
     jobs: int,
     done: Callable[[str], None] = lambda _submission: None,
 ) -> Matrix:
-    """Judge every submission on every case, `jobs` submissions at a time.
+    """Judge every submission on the chosen cases of the data, `jobs` submissions at a time.
 
     scale: how many times slower this machine is than the one that set the limits. store:
     keeps the verdicts, so that only what changed is run again. done: called with the
@@ -59,8 +60,8 @@ def build(
     rows: dict[str, Row] = {}
     judged = 0
     with ThreadPoolExecutor(jobs) as pool:
-        judges = [_Judge(name, problem, scale, sandbox, store) for name in submissions]
-        futures = [pool.submit(judge.row, cases, done) for judge in judges]
+        judges = [_Judge(name, data, problem, scale, sandbox, store) for name in submissions]
+        futures = [pool.submit(judge.row, done) for judge in judges]
         try:
             for future in as_completed(futures):
                 row, runs = future.result()
@@ -71,33 +72,34 @@ def build(
                 future.cancel()
             sandbox.close()  # ends the runs, so that their threads end too
             raise
-    return Matrix(tuple(rows[name] for name in submissions), tuple(cases), judged)
+    return Matrix(tuple(rows[name] for name in submissions), data.chosen, judged)
 
 
 class _Judge:
     """Judges one submission, which is compiled when a first run is needed."""
 
     def __init__(
-        self, name: str, problem: Problem, scale: float, sandbox: Sandbox, store: Store
+        self, name: str, data: Data, problem: Problem, scale: float, sandbox: Sandbox, store: Store
     ) -> None:
         declared = problem.limits
         limits = RunLimits(declared.time_limit_s, declared.memory_mib, declared.output_mib)
         self._name = name
         self._submission = read_submission(SUBMISSIONS / name)
-        self._kept = KeptVerdicts(store, self._submission, limits)
+        self._cases = data.chosen
+        self._kept = KeptVerdicts(store, self._submission, limits, data.manifest)
         self._limits = replace(limits, time_limit_s=limits.time_limit_s * scale)
         self._problem = problem
         self._sandbox = sandbox
-        self._command: Command | None = None
+        self._program: Program | None = None
         self._does_not_compile = False
         self._runs = 0
 
-    def row(self, cases: Sequence[Case], done: Callable[[str], None]) -> tuple[Row, int]:
+    def row(self, done: Callable[[str], None]) -> tuple[Row, int]:
         """Return the row, and how many runs were made for it."""
         verdicts: dict[str, Verdict] = {}
         slow: set[str] = set()  # groups with a TLE
-        kept = self._kept.look_up(cases)
-        for case in cases:
+        kept = self._kept.look_up(self._cases)
+        for case in self._cases:
             if case.group not in slow:
                 verdict = kept.get(case.name) or self._judged(case)
                 verdicts[case.name] = verdict
@@ -108,15 +110,17 @@ class _Judge:
 
     def _judged(self, case: Case) -> Verdict:
         """Run the submission on a case, and keep the verdict."""
-        if self._command is None and not self._does_not_compile:
+        if self._program is None and not self._does_not_compile:
             try:
-                program = compile_submission(self._submission, self._problem.limits, self._sandbox)
-                self._command = program.command
+                self._program = compile_submission(
+                    self._submission, self._problem.limits, self._sandbox
+                )
             except CompileError:
                 self._does_not_compile = True
-        if self._command is None:
+        if self._program is None:
             return Verdict.CE
         self._runs += 1
-        verdict = run_case(self._sandbox, self._command, self._limits, case).verdict or Verdict.JE
-        self._kept.keep(case, verdict)
+        result = run_case(self._sandbox, self._program, self._limits, case)
+        verdict = result.verdict or Verdict.JE
+        self._kept.keep({case.name: verdict})
         return verdict

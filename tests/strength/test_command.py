@@ -2,6 +2,7 @@
 
 import io
 
+import msgspec
 import pytest
 from rich.console import Console
 
@@ -64,3 +65,14 @@ def test_nothing_is_cut_where_no_terminal_is(monkeypatch):
     assert name in text
     assert families[case.name] in text
     assert "1 submission judged, all as declared" in text
+
+
+def test_one_submission_on_the_samples(tmp_path, capsys):
+    report = tmp_path / "report.json"
+    arguments = ["wrong_answer/strict_touch.py", "--groups", "sample", "--json", str(report)]
+    assert cli.main(arguments) == 0
+    assert cli.main([*arguments, "--cases"]) == 0
+    printed = capsys.readouterr().out.splitlines()
+    assert printed[-1].startswith("1 submission, 4 cases: 0 runs made, the others kept")
+    content = msgspec.json.decode(report.read_bytes())
+    assert list(content["submissions"][0]["cases"].values()) == ["AC", "AC", "WA", "AC"]
