@@ -130,17 +130,21 @@ def _answered(
 def _answer(
     number: int, file: File, programs: Sequence[Program]
 ) -> tuple[File, dict[int, list[str]]]:
+    """Return the file with its answers; equal outputs are read once and share their list."""
     answers = {}
+    read: dict[bytes, list[str]] = {}
     for index, program in enumerate(programs):
         if number % program.every == 0:
             output = run_trusted(program.name, program.command, file.content)
-            answers[index] = read_answers(program.name, output, file.scenarios)
+            if output not in read:
+                read[output] = read_answers(program.name, output, file.scenarios)
+            answers[index] = read[output]
     return file, answers
 
 
 def _first_difference(columns: Sequence[list[str]]) -> int | None:
     """Return the index of the first scenario that is not answered alike; None if all are."""
-    if all(column == columns[0] for column in columns):
+    if all(column is columns[0] or column == columns[0] for column in columns):
         return None
     rows = enumerate(zip(*columns, strict=True))
     return next(index for index, answers in rows if len(set(answers)) > 1)
