@@ -39,13 +39,15 @@ EARLIER_FAILED = "an earlier case of its group failed"
 class Job:
     """What a worker needs to judge one submission: plain data.
 
-    without_wall: the program may run without a wall where none works. key: tells judgings
+    without_wall: the program may run without a wall where none works. keepers: how many to
+    start at once, one for each run that goes on in the same worker. key: tells judgings
     apart, so that a worker gets ready once for each.
     """
 
     submission: Submission
     problem: Problem
     without_wall: bool
+    keepers: int = 1
     key: str = field(default_factory=lambda: secrets.token_hex(8))
 
 
@@ -58,7 +60,7 @@ class Worker:
         self._program: Program | None = None
         self.users = 0  # tasks that are using it now
         try:
-            self.sandbox = walled_sandbox()
+            self.sandbox = walled_sandbox(job.keepers)
         except NoWallError:
             if not job.without_wall:
                 raise

@@ -1,9 +1,14 @@
 #!/usr/bin/env python3
 """Make the kit's own environment, .venv, with what pyproject.toml asks for.
 
+    python3 tools/setup.py          what judging needs
+    python3 tools/setup.py --dev    and what tests and checks of the code need
+
 Needs nothing but Python and, once, a package index. Run again, it repairs and
 updates. Exit status: 0 ready, 2 not, with one line that says what to do.
 """
+
+from __future__ import annotations
 
 import shutil
 import subprocess
@@ -12,8 +17,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 VENV = ROOT / ".venv"
+PYTHON = VENV / "bin" / "python"
 READY = VENV / ".ready"  # written last: without it the environment is not complete
+READY_DEV = VENV / ".ready-dev"
 MINIMUM = (3, 11)
+QUIET = ["--quiet", "--disable-pip-version-check", "--no-warn-script-location"]
 
 
 def main() -> int:
@@ -24,43 +32,78 @@ def main() -> int:
             f"{sys.version_info[0]}.{sys.version_info[1]} ({sys.executable}); "
             "name another: make PYTHON=python3.12 ..."
         )
-    READY.unlink(missing_ok=True)
-    python = VENV / "bin" / "python"
-    if not works(python):
+    dev = sys.argv[1:] == ["--dev"]
+    if sys.argv[1:] and not dev:
+        return fail(f"expected --dev or nothing, found {' '.join(sys.argv[1:])}")
+    for mark in (READY, READY_DEV):
+        mark.unlink(missing_ok=True)
+    if not works():
         shutil.rmtree(VENV, ignore_errors=True)
         print("setup: making .venv", flush=True)
-        made = subprocess.run([sys.executable, "-m", "venv", str(VENV)], capture_output=True)
-        if made.returncode or not works(python):
+        made = run([sys.executable, "-m", "venv", "--without-pip", str(VENV)])
+        if made.returncode or not works():
             shutil.rmtree(VENV, ignore_errors=True)
             return fail(
                 "this Python cannot make virtual environments; "
                 "on Debian and Ubuntu: apt install python3-venv"
             )
-    print("setup: installing what pyproject.toml asks for", flush=True)
-    pip = [str(python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
-    installed = subprocess.run([*pip, *requirements()], capture_output=True, text=True)
+    pip = pip_command()
+    if pip is None:
+        return fail(
+            "this Python has no pip and cannot install one; "
+            "on Debian and Ubuntu: apt install python3-venv"
+        )
+    print(f"setup: installing what {'the tests need' if dev else 'judging needs'}", flush=True)
+    installed = run([*pip, "install", *QUIET, "--no-compile", *requirements(dev)])
     if installed.returncode:
         errors = [line for line in installed.stderr.splitlines() if line.startswith("ERROR")]
         return fail(f"pip could not install: {(errors or ['no message'])[-1]}")
     READY.touch()
+    if dev:
+        READY_DEV.touch()
     return 0
 
 
-def works(python: Path) -> bool:
-    """Tell whether this is an interpreter that runs, is new enough and has pip."""
-    check = f"import sys, pip; sys.exit(sys.version_info < {MINIMUM})"
+def run(command: list[str]) -> subprocess.CompletedProcess[str]:
+    """Run a command to its end and return what it said."""
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def works() -> bool:
+    """Tell whether the environment has an interpreter that runs and is new enough."""
     try:
-        return subprocess.run([str(python), "-c", check], capture_output=True).returncode == 0
+        check = f"import sys; sys.exit(sys.version_info < {MINIMUM})"
+        return run([str(PYTHON), "-c", check]).returncode == 0
     except OSError:
         return False
 
 
-def requirements() -> list[str]:
-    """Return what the kit needs to run and to be tested, as pyproject.toml lists it."""
+def pip_command() -> list[str] | None:
+    """Return the command of a pip that installs into the environment, None if there is none.
+
+    The pip of this Python can do it from outside, which spares seconds; an old or a missing
+    one is replaced by one inside.
+    """
+    outside = [sys.executable, "-m", "pip", "--python", str(PYTHON)]
+    inside = [str(PYTHON), "-m", "pip"]
+    if run([*inside, "--version"]).returncode == 0:
+        return inside
+    if run([*outside, "--version"]).returncode == 0:
+        return outside
+    if run([str(PYTHON), "-m", "ensurepip"]).returncode == 0:
+        return inside
+    return None
+
+
+def requirements(dev: bool) -> list[str]:
+    """Return what the kit needs, as pyproject.toml lists it."""
     import tomllib  # not at the top: older Pythons must get as far as our message
 
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
-    return [*project["project"]["dependencies"], *project["dependency-groups"]["dev"]]
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    return [
+        *project["project"]["dependencies"],
+        *(project["dependency-groups"]["dev"] if dev else []),
+    ]
 
 
 def fail(message: str) -> int:

@@ -83,6 +83,7 @@ class Problem(Strict, frozen=True):
     calibration: Calibration
     constraints: Constraints
     groups: list[Group]
+    folders: dict[str, dict[str, str]]
     submissions: dict[str, dict[str, str]]
 
     @property
@@ -105,10 +106,11 @@ class Problem(Strict, frozen=True):
     def expected(self, submission: str, group: str) -> frozenset[Verdict]:
         """Return the permitted verdicts of a submission (path below submissions/) in a group.
 
-        A group that the declaration does not name expects AC. KeyError for an
-        undeclared submission.
+        What the submission's own line does not name is as its folder's line says, and AC if
+        that does not name it either. KeyError for an undeclared submission.
         """
-        declared = self.submissions[submission].get(group, Verdict.AC.value)
+        folder = self.folders.get(submission.partition("/")[0], {})
+        declared = self.submissions[submission].get(group, folder.get(group, Verdict.AC.value))
         return frozenset(Verdict(word) for word in declared.split("|"))
 
 
@@ -134,8 +136,10 @@ def _check_names(problem: Problem, path: Path) -> None:
     names = problem.group_names
     if len(set(names)) != len(names):
         raise SpecError(f"{path}: groups: a name stands twice in {names}")
-    for submission, expected in problem.submissions.items():
-        where = f'{path}: submissions."{submission}"'
+    lines = {f"folders.{folder}": expected for folder, expected in problem.folders.items()}
+    lines |= {f'submissions."{name}"': expected for name, expected in problem.submissions.items()}
+    for line, expected in lines.items():
+        where = f"{path}: {line}"
         for group, words in expected.items():
             if group not in names:
                 raise SpecError(f"{where}: no group {group!r}{did_you_mean(group, names)}")

@@ -6,15 +6,17 @@ names and meanings, and more: a reader of version 1 can read it if it skips unkn
 
 from __future__ import annotations
 
-import sys
 from typing import Annotated
 
 import msgspec
 
+from judge.kit.files import write_whole
+from judge.kit.paths import ROOT
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging
 
 SCHEMA_VERSION = 2
+FILE = ROOT / "docs" / "report.schema.json"
 
 
 Seconds = Annotated[float, msgspec.Meta(ge=0)]
@@ -152,4 +154,4 @@ def json_schema() -> bytes:
 
 
 if __name__ == "__main__":
-    sys.stdout.buffer.write(json_schema())
+    write_whole(FILE, json_schema())

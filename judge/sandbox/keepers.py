@@ -30,7 +30,7 @@ class SandboxError(KitError):
 
 
 class Keeper:
-    """One keeper process, and the two pipes to it. Raises SandboxError."""
+    """One keeper process, and the two pipes to it. It starts while others go on; see `ready`."""
 
     def __init__(self, scratch: Path) -> None:
         self._process = subprocess.Popen(
@@ -41,13 +41,16 @@ class Keeper:
             cwd="/",
             start_new_session=True,  # Ctrl-C is the judge's to handle
         )
-        try:
-            ready = self._reply(ANSWER_MARGIN_S)
-            if isinstance(ready, Failure):
-                raise SandboxError(f"{scratch.parent}: no scratch space: {ready.why}")
-        except BaseException:
-            self.end()
-            raise
+        self._scratch = scratch
+        self._ready = False
+
+    def ready(self) -> None:
+        """Wait until the keeper and its scratch directory are there. Raises SandboxError."""
+        if not self._ready:
+            answer = self._reply(ANSWER_MARGIN_S)
+            if isinstance(answer, Failure):
+                raise SandboxError(f"{self._scratch.parent}: no scratch space: {answer.why}")
+            self._ready = True
 
     def alive(self) -> bool:
         """Tell whether the process is there."""
@@ -55,6 +58,7 @@ class Keeper:
 
     def ask(self, request: Request) -> Facts | Failure:
         """Send one request and wait for what came of it. SandboxError: the keeper is of no use."""
+        self.ready()
         stdin = self._process.stdin
         assert stdin is not None
         try:

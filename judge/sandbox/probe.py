@@ -33,12 +33,15 @@ def probe() -> Probe:
         return Probe(None, str(error))
 
 
-def walled_sandbox() -> Sandbox:
-    """Return a sandbox whose wall works, after one trial run in it. Raises NoWallError."""
+def walled_sandbox(keepers: int = 1) -> Sandbox:
+    """Return a sandbox whose wall works, after one trial run in it. Raises NoWallError.
+
+    keepers: as of `Sandbox`.
+    """
     why = "no bwrap is installed"
     for wall in candidates():
         try:
-            sandbox = Sandbox(wall)
+            sandbox = Sandbox(wall, keepers)
         except SandboxError as error:
             why = f"{wall.bwrap}: {_line(error)}"
             continue

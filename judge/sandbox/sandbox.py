@@ -45,26 +45,29 @@ class Command:
 class Sandbox:
     """A pool of keepers and a scratch directory, both gone when it is closed.
 
-    Any number of threads may call `run` at once; each run has a keeper to itself.
+    Any number of threads may call `run` at once; each run has a keeper to itself. keepers:
+    how many to start at once.
     The keepers make the scratch directory, and remove it when this process dies, however
     it does. Raises SandboxError if there is no place for it.
     """
 
-    def __init__(self, wall: Wall | None = None) -> None:
+    def __init__(self, wall: Wall | None = None, keepers: int = 1) -> None:
         self.wall = wall
         self._cgroups = Cgroups()
         name = f"collision-course-{secrets.token_hex(8)}"
         self.scratch = Path(tempfile.gettempdir()).resolve() / name
-        try:
-            first = Keeper(self.scratch)
-        except BaseException:  # it may have been killed just after it made the directory
-            self._cgroups.close(name)
-            remove(self.scratch)
-            raise
-        self._idle = [first]
-        self._all = [first]
         self._lock = threading.Lock()
         self._closed = False
+        self._idle: list[Keeper] = []
+        self._all: list[Keeper] = []
+        try:
+            for _ in range(keepers):
+                self._all.append(Keeper(self.scratch))
+            self._idle += self._all
+            self._idle[-1].ready()  # the one that is taken first
+        except BaseException:  # it may have been killed just after it made the directory
+            self.close()
+            raise
 
     def __enter__(self) -> Self:
         return self

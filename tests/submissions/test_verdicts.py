@@ -1,59 +1,54 @@
 """Each submission gets, in each group, the verdict that problem.toml declares for it.
 
 A group ends at its first failure, which decides its verdict. The groups whose files
-are rebuilt, not committed, are left out while they are not built. Each is judged once:
-compilers take their time.
+are rebuilt, not committed, are left out while they are not built.
+
+Judging all of them on all groups takes minutes, and is `slow`. The fast tests judge those
+that need no compiler on the committed groups; of the groups that they pass, on a part.
 """
 
 import pytest
 
-from judge.judging import Options, judge, machine_scale
-from judge.kit.paths import DATA, ROOT
+from judge.judging import Options, judge
+from judge.kit.paths import DATA, SUBMISSIONS
 from judge.languages.submission import read_submission
-from judge.languages.table import LanguageError, toolchain
+from judge.languages.table import LanguageError
+from judge.languages.toolchain import toolchain
 from judge.problem.cases import find_cases
 from judge.problem.declaration import load
-from judge.sandbox.sandbox import Sandbox
 
 PROBLEM = load()
 GROUPS = PROBLEM.group_names
 BUILT = {case.group for case in find_cases(DATA, PROBLEM)}
 COMMITTED = [name for name in GROUPS if name in ("sample", "static", "small")]
 REBUILT = [name for name in GROUPS if name not in COMMITTED]
+PYTHON = [name for name in PROBLEM.submissions if name.endswith(".py")]
+COMPILED = "accepted/textbook.cpp"  # one for all: compiling is tested elsewhere
 
 
-@pytest.fixture(scope="session")
-def scale():
-    """How many times slower than the calibrating machine this one is; timed once."""
-    with Sandbox() as sandbox:
-        return machine_scale(PROBLEM, sandbox) or 1.0
-
-
-def verdicts(name, groups, scale):
-    """Judge a submission; return its verdict in each of the groups, with the case that decided."""
-    submission = read_submission(ROOT / "submissions" / name)
+def differences(name, groups, globs=()):
+    """Judge a submission; return a line for each group whose verdict is not a declared one."""
+    submission = read_submission(SUBMISSIONS / name)
     try:
         toolchain(submission.language)
     except LanguageError as error:
         pytest.skip(str(error))
-    options = Options(groups=tuple(groups), stop_on_first=True, scale=scale)
-    outcome = judge(submission, PROBLEM, options)
-    return {group.name: group for group in outcome.groups}
-
-
-def differences(name, groups, scale):
-    """Return a line for each group whose verdict is not a declared one."""
+    options = Options(groups=tuple(groups), globs=tuple(globs), stop_on_first=True)
     lines = []
-    for group, result in verdicts(name, groups, scale).items():
-        permitted = PROBLEM.expected(name, group)
+    for result in judge(submission, PROBLEM, options).groups:
+        permitted = PROBLEM.expected(name, result.name)
         if result.verdict not in permitted:
             failed = [r for r in result.cases if r.verdict not in (None, "AC")]
             where = f" at {failed[0].case.name}: {failed[0].message}" if failed else ""
             lines.append(
-                f"{name}: {group}: expected {'|'.join(sorted(permitted))}, "
+                f"{name}: {result.name}: expected {'|'.join(sorted(permitted))}, "
                 f"found {result.verdict}{where}"
             )
     return lines
+
+
+def passed(name, groups):
+    return [group for group in groups if PROBLEM.expected(name, group) == {"AC"}]
 
 
 def decided(name):
@@ -66,14 +61,29 @@ def decided(name):
     return COMMITTED + one
 
 
+@pytest.mark.parametrize("name", [*PYTHON, COMPILED])
+def test_verdicts_on_committed_cases(name):
+    passes = passed(name, COMMITTED)
+    fails = [group for group in COMMITTED if group not in passes]
+    found = differences(name, fails) if fails else []
+    if passes:
+        found += differences(name, passes, ["*/0?-*"])  # the first nine of each group
+    assert found == []
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PROBLEM.submissions)
-def test_verdicts(name, scale):
+def test_verdicts(name):
     groups = [group for group in decided(name) if group in BUILT]
-    assert differences(name, groups, scale) == []
+    assert differences(name, groups) == []
 
 
+def test_every_group_is_decided_by_some_submission():
+    assert {group for name in PROBLEM.submissions for group in decided(name)} == set(GROUPS)
+
+
+@pytest.mark.slow
 def test_the_rebuilt_groups_were_among_them():
     missing = [group for group in REBUILT if group not in BUILT]
     if missing:
         pytest.skip(f"no data for {', '.join(missing)}: run 'make data'")
-    assert {group for name in PROBLEM.submissions for group in decided(name)} == set(GROUPS)
