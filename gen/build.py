@@ -14,9 +14,8 @@ from gen import manifest
 from gen.answers import AnswerError, DisagreementError, agreed
 from gen.families import FamilyError, find
 from gen.manifest import Entry
-from gen.parse import parse
 from gen.plan import HAND_MADE, Case
-from gen.scenario import Scenario, render
+from gen.scenario import Scenario, parse, render
 from gen.seeds import derive
 from gen.validator import InputError, load_rules, validate
 from judge.kit.errors import KitError

@@ -1,8 +1,8 @@
-"""A scenario, and how scenarios become an input file."""
+"""A scenario, how scenarios become an input file, and how a valid file is read again."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from gen.geometry import Point, Polygon, translated
@@ -39,6 +39,22 @@ def render(scenarios: Iterable[Scenario]) -> bytes:
             parts.append(str(len(obstacle)))
             parts.extend([f"{x} {y}" for x, y in obstacle])
     return "\n".join([str(count), *parts, ""]).encode()
+
+
+def parse(content: bytes) -> list[Scenario]:
+    """Return the scenarios of an input file that the validator has passed. O(size)."""
+    numbers = map(int, content.split())
+    return [_scenario(numbers) for _ in range(next(numbers))]
+
+
+def _scenario(numbers: Iterator[int]) -> Scenario:
+    m, k, dx, dy = (next(numbers) for _ in range(4))
+    robot = _polygon(numbers, m)
+    return Scenario(robot, (dx, dy), [_polygon(numbers, next(numbers)) for _ in range(k)])
+
+
+def _polygon(numbers: Iterator[int], n: int) -> Polygon:
+    return [(next(numbers), next(numbers)) for _ in range(n)]
 
 
 def bounds(scenario: Scenario) -> tuple[int, int, int, int]:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated
 
-from gen.contact import PLACES, Pair, pair, random_support
 from gen.families.common import MOVES, any_move, any_shape, filled
 from gen.families.registry import Between, Flag, Length, OneOf, Scenarios, Vertices, family
 from gen.geometry import Sweep, sweep
+from gen.geometry.contact import PLACES, Pair, pair, random_support
 from gen.rng import Rng
 from gen.scenario import Scenario, fits
 

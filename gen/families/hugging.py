@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated
 
-from gen.contact import Pair, Support, edge_support, pair, vertex_support
 from gen.families.common import any_vector, fitting
 from gen.families.registry import (
     Between,
@@ -15,6 +14,7 @@ from gen.families.registry import (
     family,
 )
 from gen.geometry import Polygon, Sweep, step_right, sweep
+from gen.geometry.contact import Pair, Support, edge_support, pair, vertex_support
 from gen.rng import Rng
 from gen.scenario import LIMIT, Scenario, disguised, into_corner
 from gen.shapes.convex import arc, in_box, near_circle, random_convex

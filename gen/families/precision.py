@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from math import gcd
 from typing import Annotated
 
-from gen.contact import edge_support
 from gen.families.common import filled
 from gen.families.registry import OneOf, Scenarios, Vertices, family
 from gen.geometry import Point, Polygon, cross, hull, minus, step_right, sweep, translated
+from gen.geometry.contact import edge_support
 from gen.rng import Rng
 from gen.scenario import LIMIT, Scenario
 from gen.shapes.convex import in_box

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Annotated
 
-from gen.decompose import convex_pieces
 from gen.families.common import any_shape, any_vector, filled
 from gen.families.registry import Between, Flag, OneOf, Scenarios, Vertices, family
 from gen.geometry import Point, Polygon, apart, cross, minus, primitive, sweep, translated
+from gen.geometry.decompose import convex_pieces
 from gen.rng import Rng
 from gen.scenario import Scenario
 from gen.shapes.edges import angle_key

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated
 
-from gen.contact import PLACES, pair, random_support
 from gen.families.common import any_move, filled
 from gen.families.registry import Between, Length, OneOf, Scenarios, Vertices, family
 from gen.geometry import Polygon, sweep, translated
+from gen.geometry.contact import PLACES, pair, random_support
 from gen.rng import Rng
 from gen.scenario import Scenario
 from gen.shapes.convex import near_circle

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated
 
-from gen.contact import Support, edge_support, pair, random_support, vertex_support
 from gen.families.common import any_vector, filled, fitting
 from gen.families.containment import put_inside
 from gen.families.hugging import DECIDING, ROBOTS, big_robot, turns
 from gen.families.registry import Between, FamilyError, Length, OneOf, Scenarios, Vertices, family
 from gen.geometry import Point, Polygon, minus, primitive, step_right, sweep, translated
+from gen.geometry.contact import Support, edge_support, pair, random_support, vertex_support
 from gen.rng import Rng
 from gen.scenario import LIMIT, Scenario, bounds, disguised, fits, into_corner, moved
 from gen.shapes.convex import in_box

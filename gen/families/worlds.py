@@ -3,34 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cache
-from itertools import combinations, islice, product
+from itertools import islice, product
 from typing import Annotated
 
 from gen.families.registry import Between, OneOf, Scenarios, Vertices, family
-from gen.geometry import Point, Polygon, hull, translated
+from gen.geometry import Point, Polygon, translated
 from gen.rng import Rng
 from gen.scenario import Scenario, disguised
+from gen.shapes.grids import grid_polygons
 
 
-@cache
-def polygons(grid: int) -> tuple[tuple[Point, ...], ...]:
-    """Return every strictly convex polygon in [0, grid]^2 up to translation.
+def shapes_of(grid: int) -> list[Polygon]:
+    """Return every strictly convex polygon in [0, grid]^2 up to translation, sorted.
 
-    Each once, pushed to the axes, counter-clockwise; grid 1: 5 of them, 2: 119.
-    Every set of few enough points is tried.
+    Each is pushed to the axes; grid 1: 5 of them, 2: 119.
     """
-    points = [(x, y) for x in range(grid + 1) for y in range(grid + 1)]
-    most = 2 * (grid + 1)  # two vertices on each of the grid's lines
-    found = {
-        tuple(ring)
-        for size in range(3, most + 1)
-        for chosen in combinations(points, size)
-        if min(x for x, _ in chosen) == 0 and min(y for _, y in chosen) == 0
-        for ring in (hull(list(chosen)),)
-        if len(ring) == size
-    }
-    return tuple(sorted(found))
+    return sorted(
+        polygon
+        for polygon in grid_polygons(grid + 1)
+        if min(x for x, _ in polygon) == 0 and min(y for _, y in polygon) == 0
+    )
 
 
 @family
@@ -50,7 +42,7 @@ def world(
     sweep and the obstacle have a point in common. Each scene comes in a random dress (one
     of its symmetries). order all: one after the other, as many as fit; random: some.
     """
-    shapes = [list(ring) for ring in polygons(grid)]
+    shapes = shapes_of(grid)
     moves = [(dx, dy) for dx in range(-far, far + 1) for dy in range(-far, far + 1)]
     scenes = _every(shapes, moves) if order == "all" else _random(rng, shapes, moves)
     for scenario in islice(scenes, scenarios):

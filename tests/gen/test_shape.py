@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from gen import manifest
-from gen.parse import parse
+from gen.scenario import parse
 from gen.validator import load_rules
 from judge.kit.paths import DATA
 from judge.problem.declaration import load

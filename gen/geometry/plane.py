@@ -1,9 +1,4 @@
-"""Exact geometry on the integer grid, for making scenes only.
-
-These are the generators' own constructors: no solver uses them, so that maker
-and checker share no bug. A polygon is a list of vertices, counter-clockwise and
-strictly convex unless said otherwise.
-"""
+"""Vectors, hulls, the sweep of a convex robot, and a slow test whether polygons meet."""
 
 from __future__ import annotations
 
