@@ -15,8 +15,8 @@ from gen.answers import AnswerError, DisagreementError, agreed
 from gen.families import FamilyError, find
 from gen.manifest import Entry
 from gen.plan import HAND_MADE, Case
+from gen.rng import derive
 from gen.scenario import Scenario, parse, render
-from gen.seeds import derive
 from gen.validator import InputError, load_rules, validate
 from judge.kit.errors import KitError
 from judge.kit.files import write_whole

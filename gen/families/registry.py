@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import difflib
 import inspect
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, get_args, get_type_hints
 
-from gen.rng import Rng
+from gen.rng import Rng, derive
 from gen.scenario import LIMIT, Scenario
-from gen.seeds import derive
 from judge.kit.errors import KitError
+from judge.kit.text import did_you_mean
 
 _INTEGER = re.compile(r"-?[0-9]{1,18}", re.ASCII)
 
@@ -44,15 +43,16 @@ class OneOf:
     def read(self, text: int | str) -> str:
         """Return the word; ValueError tells what was expected."""
         if text not in self.words:
-            near = nearest(str(text), self.words)
+            near = did_you_mean(str(text), self.words)
             raise ValueError(f"expected one of {', '.join(self.words)}, found {text!r}{near}")
         return str(text)
 
 
 Scenarios = Annotated[int, Between(1, 100_000)]
-Obstacles = Annotated[int, Between(0, 166_665)]
 Vertices = Annotated[int, Between(3, 500_000)]
 Length = Annotated[int, Between(1, 2 * LIMIT)]
+Far = Annotated[int, Between(0, 2 * LIMIT)]
+Move = Annotated[str, OneOf(("any", "zero"))]
 Flag = Annotated[int, Between(0, 1)]
 
 Parameters = Mapping[str, int | str]
@@ -77,7 +77,7 @@ class Family:
         """Return all parameters, checked; FamilyError names the first bad one."""
         for name in given:
             if name not in self.domains:
-                near = nearest(name, self.domains)
+                near = did_you_mean(name, self.domains)
                 raise FamilyError(f"family {self.name}: no parameter {name!r}{near}")
         resolved = {}
         for name, domain in self.domains.items():
@@ -119,11 +119,5 @@ def find(name: str) -> Family:
     try:
         return FAMILIES[name]
     except KeyError:
-        hint = nearest(name, FAMILIES) or f"; expected one of {', '.join(FAMILIES)}"
+        hint = did_you_mean(name, FAMILIES) or f"; expected one of {', '.join(FAMILIES)}"
         raise FamilyError(f"no family {name!r}{hint}") from None
-
-
-def nearest(word: str, choices: Iterable[str]) -> str:
-    """Return `; did you mean 'x'?` for the nearest choice, or an empty string."""
-    near = difflib.get_close_matches(word, list(choices), n=1)
-    return f"; did you mean {near[0]!r}?" if near else ""

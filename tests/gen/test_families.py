@@ -10,9 +10,8 @@ import pytest
 from gen.families import FAMILIES, FamilyError, find
 from gen.geometry import apart, cross, minus, sweep
 from gen.plan import PLANNED
-from gen.rng import Rng
+from gen.rng import Rng, derive
 from gen.scenario import LIMIT, parse, render
-from gen.seeds import derive
 from gen.validator import load_rules, validate
 from judge.kit.paths import ROOT
 

@@ -1,17 +1,22 @@
-"""Corners between two long edges that differ by the least angle there is."""
+"""Corners between two long edges that differ by the least angle there is.
+
+Attacks floating-point angles and slopes: they take the two directions for equal, or order them
+the wrong way round.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated
 
 from gen.families.common import filled
-from gen.families.registry import OneOf, Scenarios, Vertices, family
+from gen.families.registry import Move, Scenarios, Vertices, family
 from gen.geometry import Point, cross, hull, primitive, step_right, translated
 from gen.rng import Rng
 from gen.scenario import LIMIT, Scenario
 
 LONGEST = 9 * LIMIT // 10
+
+
 SHORTEST = LIMIT // 4
 
 
@@ -21,7 +26,7 @@ def slivers(
     *,
     scenarios: Scenarios = 100_000,
     vertices: Vertices = 2_000,
-    move: Annotated[str, OneOf(("any", "zero"))] = "any",
+    move: Move = "any",
 ) -> Iterator[Scenario]:
     """Two directions of up to 10^8 units whose cross product is one: which comes first?
 

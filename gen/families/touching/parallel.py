@@ -1,4 +1,7 @@
-"""Families full of ties: robot, move and obstacles share their edges' directions."""
+"""Robot, move and obstacles share the directions of their edges.
+
+Attacks mergings of edges that treat ties by angle wrongly.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,7 @@ from collections.abc import Iterator
 from typing import Annotated
 
 from gen.families.common import any_vector, filled
-from gen.families.registry import Between, Flag, Length, OneOf, Scenarios, Vertices, family
+from gen.families.registry import Between, Flag, Length, Move, Scenarios, Vertices, family
 from gen.geometry import Point, sweep
 from gen.geometry.contact import PLACES, pair, random_support
 from gen.rng import Rng
@@ -26,7 +29,7 @@ def parallel(
     stretch: Length = 4,
     most: Annotated[int, Between(3, 1_000)] = 10,
     obstacles: Annotated[int, Between(1, 1_000)] = 2,
-    move: Annotated[str, OneOf(("any", "zero"))] = "any",
+    move: Move = "any",
     corner: Flag = 0,
 ) -> Iterator[Scenario]:
     """Edges (but for the closing ones) and the move share few directions and their opposites.

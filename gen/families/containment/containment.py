@@ -1,4 +1,8 @@
-"""Families where boundaries do not meet although the closed sets do, and near relatives."""
+"""One polygon strictly inside the other, or just beside it.
+
+Attacks programs that look for edges that cross, or for a point of one polygon in the other
+but not the reverse: nothing crosses here, and yet the closed sets meet.
+"""
 
 from __future__ import annotations
 
@@ -6,14 +10,18 @@ from collections.abc import Iterator
 from typing import Annotated
 
 from gen.families.common import any_move, any_shape, any_vector, filled
-from gen.families.registry import Between, Flag, Length, OneOf, Scenarios, Vertices, family
+from gen.families.registry import Between, Flag, Length, Move, OneOf, Scenarios, Vertices, family
 from gen.geometry import Polygon, apart, sweep, translated
 from gen.geometry.contact import PLACES, pair, random_support
 from gen.rng import Rng
 from gen.scenario import Scenario
 
 KINDS = ("in_robot_at_start", "in_robot_at_end", "in_sweep", "robot_in", "robot_leaves")
+
+
 STATIC_KINDS = ("in_robot_at_start", "robot_in")
+
+
 TRIES = 40
 
 
@@ -83,7 +91,7 @@ def containment(
     size: Length = 5,
     most: Annotated[int, Between(3, 1_000)] = 7,
     kind: Annotated[str, OneOf(("all", *KINDS))] = "all",
-    move: Annotated[str, OneOf(("any", "zero"))] = "any",
+    move: Move = "any",
     corner: Flag = 0,
 ) -> Iterator[Scenario]:
     """One polygon strictly inside the other (NO), and next to it by one unit (YES).

@@ -1,4 +1,7 @@
-"""Families of non-convex obstacles, cut into convex pieces: rooms, stars and mazes."""
+"""Non-convex obstacles cut into convex pieces: rooms, stars and mazes.
+
+Attacks programs that rely on obstacles not to touch or overlap one another.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,7 @@ from collections.abc import Callable, Iterator
 from typing import Annotated
 
 from gen.families.common import any_shape, any_vector, filled
-from gen.families.registry import Between, Flag, OneOf, Scenarios, Vertices, family
+from gen.families.registry import Between, Flag, Move, OneOf, Scenarios, Vertices, family
 from gen.geometry import Point, Polygon, apart, cross, minus, primitive, sweep, translated
 from gen.geometry.decompose import convex_pieces
 from gen.rng import Rng
@@ -14,6 +17,8 @@ from gen.scenario import Scenario
 from gen.shapes.edges import angle_key
 
 KINDS = ("star", "room", "maze")
+
+
 TRIES = 30
 
 
@@ -130,7 +135,7 @@ def rooms(
     size: Annotated[int, Between(4, 1_000)] = 16,
     robot: Annotated[int, Between(1, 1_000)] = 5,
     shear: Annotated[int, Between(1, 20_000)] = 3,
-    move: Annotated[str, OneOf(("any", "zero"))] = "any",
+    move: Move = "any",
     corner: Flag = 0,
 ) -> Iterator[Scenario]:
     """Non-convex rooms, stars and mazes: the robot stops at the last free step, or one later.

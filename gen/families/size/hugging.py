@@ -1,14 +1,18 @@
-"""Families of size: obstacles all along the sweep's boundary, each missing it by one unit."""
+"""Obstacles all around the sweep, each one unit away from it, and one that may touch.
+
+Attacks slow methods, and arrays and searches that are too small: no obstacle can be ruled out
+by its distance.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import Annotated
 
-from gen.families.common import any_vector, fitting
+from gen.families.common import Deciding, Robot, any_vector, big_robot, fitting, turns
 from gen.families.registry import (
     Between,
-    OneOf,
+    Far,
     Scenarios,
     Vertices,
     family,
@@ -16,20 +20,13 @@ from gen.families.registry import (
 from gen.geometry import Polygon, Sweep, step_right, sweep
 from gen.geometry.contact import Pair, Support, edge_support, pair, vertex_support
 from gen.rng import Rng
-from gen.scenario import LIMIT, Scenario, disguised, into_corner
-from gen.shapes.convex import arc, in_box, near_circle, random_convex
+from gen.scenario import Scenario, disguised, into_corner
+from gen.shapes.convex import in_box, near_circle, random_convex
 
-ROBOTS = ("circle", "random", "arc")
-DECIDING = ("none", "any", "last", "pairs")
 TRIES = 4
+
+
 LONG = 1_000_000  # no obstacle lies flat along a direction longer than this
-
-
-def big_robot(rng: Rng, kind: str, m: int) -> Polygon:
-    """Return a robot with exactly m vertices."""
-    if kind == "circle":
-        return near_circle(rng, m)
-    return random_convex(rng, m) if kind == "random" else arc(rng, m)
 
 
 def around(rng: Rng, covered: Sweep, count: int) -> list[Support]:
@@ -67,10 +64,10 @@ def hugging(
     m: Vertices = 100,
     obstacles: Annotated[int, Between(1, 166_665)] = 50,
     n: Vertices = 3,
-    far: Annotated[int, Between(0, 2 * LIMIT)] = 1_000,
-    robot: Annotated[str, OneOf(ROBOTS)] = "circle",
+    far: Far = 1_000,
+    robot: Robot = "circle",
     flat: Annotated[int, Between(0, 100_000)] = 0,
-    deciding: Annotated[str, OneOf(DECIDING)] = "pairs",
+    deciding: Deciding = "pairs",
 ) -> Iterator[Scenario]:
     """Obstacles of n vertices hug the sweep all around; `deciding` tells which one touches.
 
@@ -87,15 +84,6 @@ def hugging(
 
         too_large = "family hugging: no scene fits the world; make far, m or n smaller"
         yield into_corner(rng, fitting(make, TRIES, too_large))
-
-
-def turns(rng: Rng, deciding: str, scenarios: int) -> list[str]:
-    """Return who decides each scene; pairs: in half of them nobody, in half any."""
-    if deciding != "pairs":
-        return [deciding] * scenarios
-    shuffled = [("none", "any")[number % 2] for number in range(scenarios)]
-    rng.shuffle(shuffled)
-    return shuffled
 
 
 def _hugged(

@@ -1,4 +1,7 @@
-"""Families about the file as a whole: scenes of many kinds and scales one after another."""
+"""Scenes of many families, scales and sizes in one file.
+
+Attacks state that is carried from one scenario to the next, and arrays sized for the first.
+"""
 
 from __future__ import annotations
 
@@ -6,18 +9,19 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Annotated
 
 from gen.families.common import any_move, any_shape
-from gen.families.contacts import contacts
-from gen.families.containment import containment
-from gen.families.cuts import cuts
-from gen.families.decoys import decoys
-from gen.families.extremes import beyond, blocks, chords, flats, passing, tips
-from gen.families.hugging import hugging
-from gen.families.parallel import parallel
-from gen.families.precision import across, diagonal
-from gen.families.registry import Between, OneOf, Scenarios, Vertices, family
-from gen.families.rooms import rooms
-from gen.families.scenes import random_scenes, tiny
-from gen.families.slivers import slivers
+from gen.families.containment.containment import containment
+from gen.families.containment.cuts import cuts
+from gen.families.precision.across import across
+from gen.families.precision.diagonal import diagonal
+from gen.families.precision.slivers import slivers
+from gen.families.registry import Between, Move, Scenarios, Vertices, family
+from gen.families.shortcuts.decoys import decoys
+from gen.families.size.hugging import hugging
+from gen.families.touching.contacts import contacts
+from gen.families.touching.parallel import parallel
+from gen.families.unforeseen.random_scenes import random_scenes
+from gen.families.unforeseen.rooms import rooms
+from gen.families.unforeseen.tiny import tiny
 from gen.rng import Rng
 from gen.scenario import Scenario
 from gen.shapes.convex import random_convex
@@ -31,7 +35,7 @@ def mixture(
     *,
     scenarios: Scenarios = 100_000,
     vertices: Vertices = 2_000,
-    move: Annotated[str, OneOf(("any", "zero"))] = "any",
+    move: Move = "any",
     empty: Annotated[int, Between(0, 100)] = 10,
 ) -> Iterator[Scenario]:
     """Scenes of many families and scales in turn, `empty` per cent of them without obstacles.
@@ -132,27 +136,3 @@ def _makers(rng: Rng, vertices: int, move: str) -> list[Callable[[], Iterable[Sc
         little,
     ]
     return [*often, *often, hugged, room, *map(one, (across, diagonal, slivers))]
-
-
-@family
-def precise(
-    rng: Rng,
-    *,
-    scenarios: Scenarios = 100_000,
-    vertices: Vertices = 2_000,
-    move: Annotated[str, OneOf(("any", "zero"))] = "any",
-) -> Iterator[Scenario]:
-    """Scenes of the families that only exact arithmetic gets right, in random order."""
-    makers: list[Callable[..., Iterable[Scenario]]] = [
-        *(across, beyond, blocks, diagonal, flats, slivers, tips),
-        *[chords] * 4,  # some roundings are wrong in one of its scenes in a hundred
-    ]
-    for _ in range(scenarios):
-        if move == "any" and rng.chance(0.1):
-            (scenario,) = passing(rng, scenarios=1)
-        else:
-            (scenario,) = rng.choice(makers)(rng, scenarios=1, move=move)
-        vertices -= scenario.vertices
-        if vertices < 0:
-            return
-        yield scenario

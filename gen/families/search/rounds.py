@@ -1,4 +1,7 @@
-"""Many vertices and the shortest edges there are: what searches by angle, and only they, see."""
+"""Near-circles with the shortest edges there are, touching or one unit apart.
+
+Attacks searches by angle among many short edges, and bounding circles.
+"""
 
 from __future__ import annotations
 

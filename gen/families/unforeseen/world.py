@@ -1,4 +1,7 @@
-"""Families that leave nothing out: complete small worlds."""
+"""Complete small worlds.
+
+Attacks mistakes that nobody thought of: nothing small is left out.
+"""
 
 from __future__ import annotations
 

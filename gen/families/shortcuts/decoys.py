@@ -1,4 +1,8 @@
-"""Families aimed at wrong ideas: the idea's answer is other than the truth in every scene."""
+"""Obstacles that a wrong idea of the swept area judges wrongly.
+
+Attacks programs that look at both ends of the move only, at the bounding box, at the mirrored
+robot, or in the wrong direction.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +10,7 @@ from collections.abc import Callable, Iterator
 from typing import Annotated
 
 from gen.families.common import any_move, any_shape, filled
-from gen.families.registry import Between, Flag, Length, OneOf, Scenarios, Vertices, family
+from gen.families.registry import Between, Flag, Length, Move, OneOf, Scenarios, Vertices, family
 from gen.geometry import Point, Polygon, apart, sweep, translated
 from gen.rng import Rng
 from gen.scenario import Scenario
@@ -37,6 +41,8 @@ IDEAS: dict[str, Callable[[Polygon, Point], list[Polygon]]] = {
     "mirrored": _mirrored,
     "swapped": lambda robot, move: [sweep(robot, (move[1], move[0])).vertices],
 }
+
+
 STATIC_IDEAS = ("box", "mirrored")
 
 
@@ -51,7 +57,7 @@ def decoys(
     size: Length = 8,
     most: Annotated[int, Between(3, 1_000)] = 6,
     idea: Annotated[str, OneOf(("all", *IDEAS))] = "all",
-    move: Annotated[str, OneOf(("any", "zero"))] = "any",
+    move: Move = "any",
     corner: Flag = 0,
 ) -> Iterator[Scenario]:
     """One obstacle that a wrong idea of the swept area judges wrongly, with both answers.

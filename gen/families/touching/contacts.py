@@ -1,4 +1,8 @@
-"""Families where one unit decides: an obstacle touches the sweep, or misses it by one unit."""
+"""An obstacle touches the sweep, or misses it by one unit.
+
+Attacks programs that take a touch for free passage, a near miss for a collision, or forget a
+part of the sweep's boundary.
+"""
 
 from __future__ import annotations
 

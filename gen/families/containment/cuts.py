@@ -1,4 +1,7 @@
-"""Obstacles that go right through the sweep, with every vertex outside of it."""
+"""Slim obstacles that cut through the swept area, all vertices outside of it.
+
+Attacks programs that only ask whether a vertex of one polygon lies in the other.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Edges on one line, one behind the other: the corner of two shapes, seen along an edge."""
+"""Edges on one line, one behind the other, sharing a point or not.
+
+Attacks segment tests that treat parallel or collinear edges wrongly.
+"""
 
 from __future__ import annotations
 
@@ -6,12 +9,10 @@ from collections.abc import Iterator
 from typing import Annotated
 
 from gen.families.common import any_vector, filled
-from gen.families.registry import Between, Flag, Length, OneOf, Scenarios, Vertices, family
-from gen.geometry import Point, Polygon, cross, hull, primitive, step_right, translated
+from gen.families.registry import Between, Flag, Length, Move, Scenarios, Vertices, family
+from gen.geometry import Point, Polygon, cross, hull, primitive, translated
 from gen.rng import Rng
-from gen.scenario import LIMIT, Scenario
-
-NARROWEST = 199 * LIMIT // 100  # of two edges nearly as wide as the world
+from gen.scenario import Scenario
 
 
 @family
@@ -23,7 +24,7 @@ def in_line(
     reach: Length = 3,
     size: Length = 6,
     most: Annotated[int, Between(3, 1_000)] = 6,
-    move: Annotated[str, OneOf(("any", "zero"))] = "any",
+    move: Move = "any",
     corner: Flag = 0,
 ) -> Iterator[Scenario]:
     """Sweep and obstacle stand on one line, on its two sides, one beyond the other's end.
@@ -81,32 +82,3 @@ def _beside(rng: Rng, along: Point, size: int) -> Point:
         side = cross(along, point)
         if side:
             return point if side > 0 else (-point[0], -point[1])
-
-
-@family
-def wedges(
-    rng: Rng,
-    *,
-    scenarios: Scenarios = 100_000,
-    vertices: Vertices = 2_000,
-) -> Iterator[Scenario]:
-    """Two edges as wide as the world leave one point, their directions one grid point apart.
-
-    The wedge between the robot's edge and the obstacle's has no room for another point of
-    the grid: slopes that differ by less than 2^-55. They touch in its corner (NO), or the
-    obstacle is one unit higher (YES). Nothing moves.
-    """
-
-    def make() -> Scenario | None:
-        lower = primitive((rng.between(NARROWEST, 2 * LIMIT), rng.between(-LIMIT, LIMIT)))
-        right = step_right(lower)  # cross(lower, right) == -1
-        upper = lower[0] - right[0], lower[1] - right[1]
-        if min(lower[0], upper[0]) < NARROWEST or upper[0] > 2 * LIMIT:
-            return None
-        height = rng.between(1, LIMIT // 2)
-        below = rng.between(1, lower[0]), min(0, lower[1]) - height
-        above = rng.between(1, upper[0]), max(0, upper[1]) + height
-        obstacle = translated(hull([(0, 0), upper, above]), (0, rng.below(2)))
-        return Scenario(hull([(0, 0), lower, below]), (0, 0), [obstacle])
-
-    yield from filled(rng, make, vertices=vertices, scenarios=scenarios, corner=True)
