@@ -68,6 +68,7 @@ class Family:
     """A way to make test cases: a function of a random source and keyword parameters."""
 
     name: str
+    room: str  # the folder below gen/families/ that holds it, named after what it attacks
     summary: str
     make: Maker
     domains: Mapping[str, Between | OneOf]
@@ -104,14 +105,26 @@ def family(make: Maker) -> Maker:
     hints: dict[str, Any] = get_type_hints(make, include_extras=True)
     parameters = [p for p in inspect.signature(make).parameters.values() if p.name != "rng"]
     name = make.__name__
+    if name in FAMILIES and FAMILIES[name].make.__module__ != make.__module__:
+        raise ValueError(f"family {name}: defined in {make.__module__} and before")
     FAMILIES[name] = Family(
         name=name,
+        room=_room(make.__module__),
         summary=(make.__doc__ or "").partition("\n")[0],
         make=make,
         domains={p.name: get_args(hints[p.name])[1] for p in parameters},
         defaults={p.name: p.default for p in parameters},
     )
     return make
+
+
+def _room(module: str) -> str:
+    """Return the room of a family by its module: `gen.families.size.hugging` is in `size`.
+
+    >>> _room("gen.families.size.hugging"), _room("gen.families.mine")
+    ('size', '')
+    """
+    return ".".join(module.split(".")[2:-1])
 
 
 def find(name: str) -> Family:
