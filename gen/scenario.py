@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
 
 from gen.geometry import Point, Polygon, translated
 from gen.rng import Rng
 
 LIMIT = 100_000_000  # |x|, |y| of everything; the validator proves it against problem.toml
+
+
+Box = tuple[int, int, int, int]  # left, bottom, right, top
 
 
 @dataclass(frozen=True)
@@ -23,6 +28,19 @@ class Scenario:
     def vertices(self) -> int:
         """The number of vertices, robot and obstacles together."""
         return len(self.robot) + sum(map(len, self.obstacles))
+
+    @cached_property
+    def box(self) -> Box:
+        """The smallest box around everything, the robot's end included. O(vertices), once."""
+        xs, ys = zip(*self.robot, strict=True)
+        dx, dy = self.move
+        left, right = min(xs) + min(dx, 0), max(xs) + max(dx, 0)
+        bottom, top = min(ys) + min(dy, 0), max(ys) + max(dy, 0)
+        if self.obstacles:
+            xs, ys = zip(*chain.from_iterable(self.obstacles), strict=True)
+            left, right = min(left, min(xs)), max(right, max(xs))
+            bottom, top = min(bottom, min(ys)), max(top, max(ys))
+        return left, bottom, right, top
 
 
 def render(scenarios: Iterable[Scenario]) -> bytes:
@@ -57,24 +75,14 @@ def _polygon(numbers: Iterator[int], n: int) -> Polygon:
     return [(next(numbers), next(numbers)) for _ in range(n)]
 
 
-def bounds(scenario: Scenario) -> tuple[int, int, int, int]:
+def bounds(scenario: Scenario) -> Box:
     """Return (left, bottom, right, top) of everything, the robot's end included."""
-    xs = [x for x, _ in scenario.robot]
-    ys = [y for _, y in scenario.robot]
-    dx, dy = scenario.move
-    left, right = min(xs) + min(dx, 0), max(xs) + max(dx, 0)
-    bottom, top = min(ys) + min(dy, 0), max(ys) + max(dy, 0)
-    for obstacle in scenario.obstacles:
-        xs = [x for x, _ in obstacle]
-        ys = [y for _, y in obstacle]
-        left, right = min(left, min(xs)), max(right, max(xs))
-        bottom, top = min(bottom, min(ys)), max(top, max(ys))
-    return left, bottom, right, top
+    return scenario.box
 
 
 def fits(scenario: Scenario) -> bool:
     """Tell whether everything fits the coordinate limit after some translation."""
-    left, bottom, right, top = bounds(scenario)
+    left, bottom, right, top = scenario.box
     return right - left <= 2 * LIMIT and top - bottom <= 2 * LIMIT
 
 
@@ -86,7 +94,7 @@ def moved(scenario: Scenario, by: Point) -> Scenario:
 
 def into_corner(rng: Rng, scenario: Scenario) -> Scenario:
     """Return the scene pushed into a random corner of the world: |x| = |y| = LIMIT occur."""
-    left, bottom, right, top = bounds(scenario)
+    left, bottom, right, top = scenario.box
     dx = rng.choice((-LIMIT - left, LIMIT - right))
     dy = rng.choice((-LIMIT - bottom, LIMIT - top))
     return moved(scenario, (dx, dy))
@@ -96,7 +104,7 @@ def settled(rng: Rng, scenario: Scenario, *, corner: bool) -> Scenario:
     """Return the scene somewhere near the origin but inside the world, or in a corner of it."""
     if corner:
         return into_corner(rng, scenario)
-    left, bottom, right, top = bounds(scenario)
+    left, bottom, right, top = scenario.box
     x, y = -(left + right) // 2, -(bottom + top) // 2  # from here the middle is the origin
     play_x = min(LIMIT - (right - left + 1) // 2 - 1, right - left)
     play_y = min(LIMIT - (top - bottom + 1) // 2 - 1, top - bottom)
@@ -118,22 +126,26 @@ def disguised(rng: Rng, scenario: Scenario, *, reorder: bool = True) -> Scenario
     turns, mirror = rng.below(4), rng.chance(0.5)
     if reorder:
         rng.shuffle(obstacles)
+    turned = SYMMETRIES[turns, mirror]
+    (move,) = turned([move])
     return Scenario(
-        _rotated_start(rng, _turned(robot, turns, mirror)),
-        _turned([move], turns, mirror)[0],
-        [_rotated_start(rng, _turned(obstacle, turns, mirror)) for obstacle in obstacles],
+        _rotated_start(rng, turned(robot)),
+        move,
+        [_rotated_start(rng, turned(obstacle)) for obstacle in obstacles],
     )
 
 
-def _turned(polygon: Polygon, turns: int, mirror: bool) -> Polygon:
-    """Return the polygon after quarter turns and an optional reflection, counter-clockwise."""
-    if turns == 1:
-        polygon = [(-y, x) for x, y in polygon]
-    elif turns == 2:
-        polygon = [(-x, -y) for x, y in polygon]
-    elif turns == 3:
-        polygon = [(y, -x) for x, y in polygon]
-    return [(-x, y) for x, y in reversed(polygon)] if mirror else polygon
+# By quarter turns and whether there is a reflection after them; all keep counter-clockwise order.
+SYMMETRIES: dict[tuple[int, bool], Callable[[Polygon], Polygon]] = {
+    (0, False): lambda polygon: polygon,
+    (1, False): lambda polygon: [(-y, x) for x, y in polygon],
+    (2, False): lambda polygon: [(-x, -y) for x, y in polygon],
+    (3, False): lambda polygon: [(y, -x) for x, y in polygon],
+    (0, True): lambda polygon: [(-x, y) for x, y in reversed(polygon)],
+    (1, True): lambda polygon: [(y, x) for x, y in reversed(polygon)],
+    (2, True): lambda polygon: [(x, -y) for x, y in reversed(polygon)],
+    (3, True): lambda polygon: [(-y, -x) for x, y in reversed(polygon)],
+}
 
 
 def _rotated_start(rng: Rng, polygon: Polygon) -> Polygon:

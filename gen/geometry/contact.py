@@ -13,7 +13,6 @@ from gen.geometry import (
     Point,
     Polygon,
     Sweep,
-    cross,
     minus,
     primitive,
     step_right,
@@ -25,7 +24,7 @@ from gen.rng import Rng
 PLACES = ("start", "side", "end")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Support:
     """A line that supports a sweep, the sweep on its left.
 
@@ -47,17 +46,17 @@ def edge_support(covered: Sweep, index: int) -> Support:
 
 def vertex_support(rng: Rng, covered: Sweep, index: int) -> Support:
     """Return a random line that meets the sweep in vertex `index` only."""
-    here = covered.vertices[index]
-    back = minus(here, covered.vertices[index - 1])
-    ahead = minus(covered.edge(index)[1], here)
+    here, there = covered.edge(index)
+    back_x, back_y = minus(here, covered.vertices[index - 1])
+    ahead_x, ahead_y = minus(there, here)
     a, b = rng.between(1, 4), rng.between(1, 4)
-    vector = (a * back[0] + b * ahead[0], a * back[1] + b * ahead[1])
+    x, y = a * back_x + b * ahead_x, a * back_y + b * ahead_y
     # A shorter vector nearby makes short obstacle edges possible; a long one is closer.
-    shrink = 1 << rng.below(max(abs(vector[0]), abs(vector[1])).bit_length())
-    shorter = (vector[0] // shrink, vector[1] // shrink)
-    if shorter != (0, 0) and cross(back, shorter) > 0 and cross(shorter, ahead) > 0:
-        vector = shorter
-    return Support(here, primitive(vector), 0)
+    shift = rng.below(max(abs(x), abs(y)).bit_length())
+    short_x, short_y = x >> shift, y >> shift
+    if back_x * short_y > back_y * short_x and short_x * ahead_y > short_y * ahead_x:
+        x, y = short_x, short_y
+    return Support(here, primitive((x, y)), 0)
 
 
 def indices(covered: Sweep, place: str) -> list[int]:
@@ -86,12 +85,23 @@ def random_support(rng: Rng, covered: Sweep, place: str) -> Support:
     return vertex_support(rng, covered, 0 if place == "start" else covered.front)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Pair:
-    """One obstacle twice: it touches the sweep; it misses it by one unit."""
+    """One obstacle at two places: there it touches the sweep; there it misses it by one unit."""
 
-    touching: Polygon
-    missing: Polygon
+    shape: Polygon
+    to_touch: Point
+    to_miss: Point
+
+    @property
+    def touching(self) -> Polygon:
+        """The obstacle where it touches."""
+        return translated(self.shape, self.to_touch)
+
+    @property
+    def missing(self) -> Polygon:
+        """The obstacle where it misses."""
+        return translated(self.shape, self.to_miss)
 
 
 def pair(rng: Rng, support: Support, shape: Polygon, *, flat: int) -> Pair:
@@ -105,33 +115,25 @@ def pair(rng: Rng, support: Support, shape: Polygon, *, flat: int) -> Pair:
     along = support.along
     if flat:
         shape = sweep(shape, (-flat * along[0], -flat * along[1])).vertices
-    nearest = max(cross(along, vertex) for vertex in shape)
-    facing = [vertex for vertex in shape if cross(along, vertex) == nearest]
-    low = min(facing, key=lambda v: along[0] * v[0] + along[1] * v[1])
-    length = sum(map(abs, minus(facing[0], facing[-1]))) // sum(map(abs, along))
+    (wx, wy), span = along, support.span
+    levels = [wx * y - wy * x for x, y in shape]
+    nearest = max(levels)
+    low, length = shape[levels.index(nearest)], 0
+    if levels.count(nearest) > 1:
+        facing = [vertex for vertex, level in zip(shape, levels, strict=True) if level == nearest]
+        low = min(facing, key=lambda v: wx * v[0] + wy * v[1])
+        length = sum(map(abs, minus(facing[0], facing[-1]))) // (abs(wx) + abs(wy))
+    slack = span - length
     s = rng.choice(
-        (
-            rng.between(-length, support.span),
-            rng.between(min(0, support.span - length), max(0, support.span - length)),
-            -length,
-            support.span,
-        )
+        (rng.between(-length, span), rng.between(min(0, slack), max(0, slack)), -length, span)
     )
-    touching = _put(shape, low, support, s)
+    # The vector that brings `low` to the line's base, and s steps along.
+    x, y = support.base[0] - low[0], support.base[1] - low[1]
+    touch_x, touch_y = x + s * wx, y + s * wy
     if rng.chance(0.3):
-        beyond = support.span + 1 if rng.chance(0.5) else -length - 1
-        return Pair(touching, _put(shape, low, support, beyond))
-    x, y = step_right(along)
-    if s == support.span and (s > 0 or 2 * (x * along[0] + y * along[1]) > _square(along)):
-        x, y = x - along[0], y - along[1]  # the nearer point of the next line
-    return Pair(touching, translated(touching, (x, y)))
-
-
-def _square(v: Point) -> int:
-    return v[0] * v[0] + v[1] * v[1]
-
-
-def _put(shape: Polygon, vertex: Point, support: Support, s: int) -> Polygon:
-    """Return the shape translated so that `vertex` lies s steps along the line."""
-    (bx, by), (wx, wy) = support.base, support.along
-    return translated(shape, (bx + s * wx - vertex[0], by + s * wy - vertex[1]))
+        beyond = span + 1 if rng.chance(0.5) else -length - 1
+        return Pair(shape, (touch_x, touch_y), (x + beyond * wx, y + beyond * wy))
+    right_x, right_y = step_right(along)
+    if s == span and (s > 0 or 2 * (right_x * wx + right_y * wy) > wx * wx + wy * wy):
+        right_x, right_y = right_x - wx, right_y - wy  # the nearer point of the next line
+    return Pair(shape, (touch_x, touch_y), (touch_x + right_x, touch_y + right_y))

@@ -31,16 +31,10 @@ def step_right(w: Point) -> Point:
     It leads from the line along w to the next lattice line on its right. Among the
     solutions, the one with 0 <= dot(w, s) < |w|^2 is taken. O(log |w|).
     """
-    # p*v - q*u == -1 by the extended Euclidean algorithm on (p, q).
+    # p*v - q*u == -1: v is minus the inverse of p modulo q, and u follows.
     p, q = w
-    r0, r1, x0, x1, y0, y1 = p, q, 1, 0, 0, 1
-    while r1:
-        quotient = r0 // r1
-        r0, r1 = r1, r0 - quotient * r1
-        x0, x1 = x1, x0 - quotient * x1
-        y0, y1 = y1, y0 - quotient * y1
-    # p*x0 + q*y0 == r0, which is +-1 for a primitive w.
-    u, v = y0 * r0, -x0 * r0
+    v = -pow(p, -1, abs(q)) if q else -p
+    u = (p * v + 1) // q if q else 0
     shift = (u * p + v * q) // (p * p + q * q)
     return u - shift * p, v - shift * q
 
@@ -59,16 +53,23 @@ def hull(points: Polygon) -> Polygon:
     ordered = sorted(set(points))
     if len(ordered) < 3:
         return ordered
+    lower = _chain(ordered)
+    ordered.reverse()
+    return lower + _chain(ordered)
+
+
+def _chain(ordered: Polygon) -> Polygon:
+    """Return the hull's vertices from the first of the ordered points up to before the last."""
     chain: Polygon = []
-    for run in (ordered, ordered[::-1]):
-        start = len(chain)
-        for point in run:
-            while len(chain) - start >= 2 and (
-                cross(minus(chain[-1], chain[-2]), minus(point, chain[-1])) <= 0
-            ):
-                chain.pop()
-            chain.append(point)
-        chain.pop()
+    for point in ordered:
+        x, y = point
+        while len(chain) >= 2:
+            (ax, ay), (bx, by) = chain[-2], chain[-1]
+            if (bx - ax) * (y - by) > (by - ay) * (x - bx):
+                break
+            chain.pop()
+        chain.append(point)
+    chain.pop()
     return chain
 
 
@@ -121,8 +122,10 @@ def sweep(robot: Polygon, move: Point) -> Sweep:
     right, left = min(sides), max(sides)
     # Of two vertices on a side line the edge between them melts into the swept side:
     # its outer ends stay. Counter-clockwise runs along the move on the right.
-    rear_end = next(i for i in range(m) if sides[i] == right and sides[i - 1] != right)
-    rear_start = next(i for i in range(m) if sides[i - 1] == left and sides[i] != left) - 1
+    rear_end = sides.index(right)
+    rear_end -= sides[rear_end - 1] == right  # the first and the last vertex
+    rear_start = sides.index(left)
+    rear_start += sides[(rear_start + 1) % m] == left
     front_start = rear_end + (sides[(rear_end + 1) % m] == right)
     front_end = rear_start - (sides[rear_start - 1] == left)
     rear = _arc(robot, rear_start, rear_end)
@@ -149,7 +152,11 @@ def _edge_parts(a: Polygon, b: Polygon) -> bool:
     ax, ay = a[-1]
     for bx, by in a:
         ex, ey = bx - ax, by - ay
-        if all(ex * (y - ay) < ey * (x - ax) for x, y in b):
+        level = ex * ay - ey * ax
+        for x, y in b:
+            if ex * y - ey * x >= level:
+                break
+        else:
             return True
         ax, ay = bx, by
     return False
