@@ -37,11 +37,11 @@ class Rng:
 
     def below(self, n: int) -> int:
         """Return an integer of 0..n-1, each equally likely; n >= 1. Expected O(1)."""
-        if n < 1:
-            raise ValueError(f"below: expected n >= 1, found {n}")
         width = n.bit_length()
         value = self._bits(width)
         while value >= n:
+            if n < 1:
+                raise ValueError(f"below: expected n >= 1, found {n}")
             value = self._bits(width)
         return value
 

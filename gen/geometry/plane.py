@@ -84,12 +84,12 @@ def is_strictly_convex(polygon: Polygon) -> bool:
         ahead = minus(point, here)
         if cross(back, ahead) <= 0:
             return False
-        windings += not _is_upper(back) and _is_upper(ahead)
+        windings += not is_upper(back) and is_upper(ahead)
         back, here = ahead, point
     return windings == 1
 
 
-def _is_upper(v: Point) -> bool:
+def is_upper(v: Point) -> bool:
     """Tell whether v's angle lies in [0, 180) degrees."""
     return v[1] > 0 or (v[1] == 0 and v[0] > 0)
 
