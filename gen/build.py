@@ -200,7 +200,7 @@ def build_cases(
 def _cost(recipe: Recipe, expected: Mapping[str, Entry]) -> int:
     """Return about how long a case takes to build: the longest begin, so that all end together."""
     entry = expected.get(recipe.case_name)
-    return entry.vertices + 10 * entry.scenarios if entry is not None else 0
+    return entry.vertices + 20 * entry.scenarios if entry is not None else 0
 
 
 def _begin_worker() -> None:

@@ -49,6 +49,20 @@ class Rng:
         """Return an integer of low..high, both included."""
         return low + self.below(high - low + 1)
 
+    def several(self, count: int, low: int, high: int) -> list[int]:
+        """Return as many integers as `count` calls of `between`, the same ones, but faster."""
+        n = high - low + 1
+        if n < 1:
+            raise ValueError(f"several: expected low <= high, found {low} and {high}")
+        bits, width = self._bits, n.bit_length()
+        found = []
+        for _ in range(count):
+            value = bits(width)
+            while value >= n:
+                value = bits(width)
+            found.append(low + value)
+        return found
+
     def chance(self, probability: float) -> bool:
         """Return True with the given probability."""
         return self._random() < probability

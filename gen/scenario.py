@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, field
 from itertools import chain
 
 from gen.geometry import Point, Polygon, translated
@@ -12,35 +11,25 @@ from gen.rng import Rng
 
 LIMIT = 100_000_000  # |x|, |y| of everything; the validator proves it against problem.toml
 
-
 Box = tuple[int, int, int, int]  # left, bottom, right, top
 
 
 @dataclass(frozen=True)
 class Scenario:
-    """One question: may `robot` make `move` without touching an obstacle?"""
+    """One question: may `robot` make `move` without touching an obstacle?
+
+    known_box: its bounds if whoever makes it knows them already.
+    """
 
     robot: Polygon
     move: Point
     obstacles: list[Polygon]
+    known_box: Box | None = field(default=None, compare=False, repr=False)
 
     @property
     def vertices(self) -> int:
         """The number of vertices, robot and obstacles together."""
         return len(self.robot) + sum(map(len, self.obstacles))
-
-    @cached_property
-    def box(self) -> Box:
-        """The smallest box around everything, the robot's end included. O(vertices), once."""
-        xs, ys = zip(*self.robot, strict=True)
-        dx, dy = self.move
-        left, right = min(xs) + min(dx, 0), max(xs) + max(dx, 0)
-        bottom, top = min(ys) + min(dy, 0), max(ys) + max(dy, 0)
-        if self.obstacles:
-            xs, ys = zip(*chain.from_iterable(self.obstacles), strict=True)
-            left, right = min(left, min(xs)), max(right, max(xs))
-            bottom, top = min(bottom, min(ys)), max(top, max(ys))
-        return left, bottom, right, top
 
 
 def render(scenarios: Iterable[Scenario]) -> bytes:
@@ -76,13 +65,27 @@ def _polygon(numbers: Iterator[int], n: int) -> Polygon:
 
 
 def bounds(scenario: Scenario) -> Box:
-    """Return (left, bottom, right, top) of everything, the robot's end included."""
-    return scenario.box
+    """Return (left, bottom, right, top) of everything, the robot's end included.
+
+    O(vertices) once for each scenario.
+    """
+    if scenario.known_box is not None:
+        return scenario.known_box
+    xs, ys = zip(*scenario.robot, strict=True)
+    dx, dy = scenario.move
+    left, right = min(xs) + min(dx, 0), max(xs) + max(dx, 0)
+    bottom, top = min(ys) + min(dy, 0), max(ys) + max(dy, 0)
+    if scenario.obstacles:
+        xs, ys = zip(*chain.from_iterable(scenario.obstacles), strict=True)
+        left, right = min(left, min(xs)), max(right, max(xs))
+        bottom, top = min(bottom, min(ys)), max(top, max(ys))
+    object.__setattr__(scenario, "known_box", (left, bottom, right, top))
+    return left, bottom, right, top
 
 
 def fits(scenario: Scenario) -> bool:
     """Tell whether everything fits the coordinate limit after some translation."""
-    left, bottom, right, top = scenario.box
+    left, bottom, right, top = bounds(scenario)
     return right - left <= 2 * LIMIT and top - bottom <= 2 * LIMIT
 
 
@@ -94,7 +97,7 @@ def moved(scenario: Scenario, by: Point) -> Scenario:
 
 def into_corner(rng: Rng, scenario: Scenario) -> Scenario:
     """Return the scene pushed into a random corner of the world: |x| = |y| = LIMIT occur."""
-    left, bottom, right, top = scenario.box
+    left, bottom, right, top = bounds(scenario)
     dx = rng.choice((-LIMIT - left, LIMIT - right))
     dy = rng.choice((-LIMIT - bottom, LIMIT - top))
     return moved(scenario, (dx, dy))
@@ -104,7 +107,7 @@ def settled(rng: Rng, scenario: Scenario, *, corner: bool) -> Scenario:
     """Return the scene somewhere near the origin but inside the world, or in a corner of it."""
     if corner:
         return into_corner(rng, scenario)
-    left, bottom, right, top = scenario.box
+    left, bottom, right, top = bounds(scenario)
     x, y = -(left + right) // 2, -(bottom + top) // 2  # from here the middle is the origin
     play_x = min(LIMIT - (right - left + 1) // 2 - 1, right - left)
     play_y = min(LIMIT - (top - bottom + 1) // 2 - 1, top - bottom)
@@ -128,10 +131,13 @@ def disguised(rng: Rng, scenario: Scenario, *, reorder: bool = True) -> Scenario
         rng.shuffle(obstacles)
     turned = SYMMETRIES[turns, mirror]
     (move,) = turned([move])
+    left, bottom, right, top = bounds(scenario)
+    (x, y), (other_x, other_y) = turned([(left, bottom), (right, top)])
     return Scenario(
         _rotated_start(rng, turned(robot)),
         move,
         [_rotated_start(rng, turned(obstacle)) for obstacle in obstacles],
+        (min(x, other_x), min(y, other_y), max(x, other_x), max(y, other_y)),
     )
 
 

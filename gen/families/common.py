@@ -52,9 +52,9 @@ def scaled_up(polygon: Polygon, size: int) -> Polygon:
 def any_vector(rng: Rng, reach: int) -> Point:
     """Return a vector other than zero with |x|, |y| <= reach."""
     while True:
-        vector = rng.between(-reach, reach), rng.between(-reach, reach)
-        if vector != (0, 0):
-            return vector
+        x, y = rng.several(2, -reach, reach)
+        if x or y:
+            return x, y
 
 
 def any_move(rng: Rng, kind: str, far: int, robot: Polygon) -> Point:

@@ -53,6 +53,10 @@ def hull(points: Polygon) -> Polygon:
     ordered = sorted(set(points))
     if len(ordered) < 3:
         return ordered
+    if len(ordered) == 3:
+        a, b, c = ordered
+        turn = cross(minus(b, a), minus(c, b))
+        return [a, b, c] if turn > 0 else [a, c, b] if turn else [a, c]
     lower = _chain(ordered)
     ordered.reverse()
     return lower + _chain(ordered)

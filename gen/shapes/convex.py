@@ -20,7 +20,8 @@ from gen.shapes.edges import (
 def in_box(rng: Rng, size: int, most: int) -> Polygon:
     """Return the hull of `most` random points of [0, size]^2: 3 to `most` vertices; size >= 1."""
     while True:
-        corners = hull([(rng.between(0, size), rng.between(0, size)) for _ in range(most)])
+        numbers = iter(rng.several(2 * most, 0, size))
+        corners = hull(list(zip(numbers, numbers, strict=True)))
         if len(corners) >= 3:
             return corners
 
