@@ -10,6 +10,7 @@ import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from pathlib import Path
+from typing import Any
 
 from gen.answers import DisagreementError, agreed, answer_file, recorded_answers
 from gen.families import FamilyError, find
@@ -105,13 +106,8 @@ def _verified(recipe: Recipe, content: bytes, scenarios: Sequence[Scenario]) -> 
         raise BuildError(
             f"{recipe.case_name}: {error}; the input is kept in {kept.relative_to(ROOT)}"
         ) from None
-    parameters = recipe.resolved()
-    seed = derive(recipe.family, parameters, recipe.repeat) if recipe.family else 0
     entry = Entry(
-        family=recipe.family,
-        parameters=parameters,
-        repeat=recipe.repeat,
-        seed=seed,
+        **_making(recipe),
         input=sum_of(content),
         answer=sum_of(answers),
         scenarios=summary.scenarios,
@@ -135,14 +131,22 @@ def _compare(recipe: Recipe, entry: Entry, expected: Entry | None) -> None:
     )
 
 
+def _making(recipe: Recipe) -> dict[str, Any]:
+    """Return what the manifest says of how a case is made, by field. Raises FamilyError."""
+    parameters = recipe.resolved()
+    return {
+        "family": recipe.family,
+        "parameters": parameters,
+        "repeat": recipe.repeat,
+        "seed": 0
+        if recipe.family == HAND_MADE
+        else derive(recipe.family, parameters, recipe.repeat),
+    }
+
+
 def changes(recipe: Recipe, entry: Entry) -> list[str]:
-    """Return what a recipe says otherwise than the entry of its case: names of fields."""
-    try:
-        parameters = recipe.resolved()
-    except FamilyError:
-        return ["parameters"]
-    said = {"family": recipe.family, "parameters": parameters, "repeat": recipe.repeat}
-    return [name for name, value in said.items() if getattr(entry, name) != value]
+    """Return in which fields the entry of a case differs from what its recipe says."""
+    return [field for field, value in _making(recipe).items() if getattr(entry, field) != value]
 
 
 def is_current(data: Path, recipe: Recipe, entry: Entry | None, checksums: Checksums) -> bool:

@@ -3,10 +3,10 @@
 from math import gcd
 
 import pytest
-from gen.families.rooms import star
 from hypothesis import given
 from hypothesis import strategies as st
 
+from gen.families.unforeseen.rooms import star
 from gen.geometry import (
     apart,
     cross,

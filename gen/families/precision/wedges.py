@@ -32,9 +32,11 @@ def wedges(
 
     def make() -> Scenario | None:
         lower = primitive((rng.between(NARROWEST, 2 * LIMIT), rng.between(-LIMIT, LIMIT)))
+        if lower[0] < NARROWEST:
+            return None
         right = step_right(lower)  # cross(lower, right) == -1
         upper = lower[0] - right[0], lower[1] - right[1]
-        if min(lower[0], upper[0]) < NARROWEST or upper[0] > 2 * LIMIT:
+        if not NARROWEST <= upper[0] <= 2 * LIMIT:
             return None
         height = rng.between(1, LIMIT // 2)
         below = rng.between(1, lower[0]), min(0, lower[1]) - height
