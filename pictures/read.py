@@ -5,8 +5,7 @@ from __future__ import annotations
 import io
 from pathlib import Path
 
-from gen.parse import parse
-from gen.scenario import Scenario
+from gen.scenario import Scenario, parse
 from gen.validator import InputError, UsageError, load_rules, validate
 from judge.kit.errors import KitError
 

@@ -12,8 +12,7 @@ from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
-from gen.parse import parse
-from gen.scenario import Scenario, render
+from gen.scenario import Scenario, parse, render
 from judge.kit.errors import KitError
 from judge.kit.files import write_whole
 from judge.kit.paths import BUILD

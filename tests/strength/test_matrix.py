@@ -98,10 +98,10 @@ def made(**verdicts):
 
 
 def declared(**groups):
-    """The problem with only the groups small and large, and the submissions declared so."""
+    """The problem with only the groups small and large, and only these declarations."""
     names = {f"wrong_answer/{name}": expected for name, expected in groups.items()}
     kept = [group for group in PROBLEM.groups if group.name in ("small", "large")]
-    return msgspec.structs.replace(PROBLEM, groups=kept, submissions=names)
+    return msgspec.structs.replace(PROBLEM, groups=kept, folders={}, submissions=names)
 
 
 def test_findings():

@@ -6,8 +6,7 @@ from itertools import product
 import pytest
 
 from gen.geometry import hull, is_strictly_convex
-from gen.parse import parse
-from gen.scenario import Scenario
+from gen.scenario import Scenario, parse
 from gen.shapes.grids import grid_polygons
 from stress.chance import random_files, random_scenarios
 from stress.cli import COMPLETE
