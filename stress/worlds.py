@@ -1,7 +1,9 @@
 """Complete small worlds: every scenario of one robot and one obstacle, as input files.
 
-The text is joined from pieces that are rendered once: a robot in each dress, and an obstacle
-in each dress at each place. This writes millions of scenarios a second.
+A scenario can be written down in many ways: in each of the eight symmetries of the grid, and
+with each polygon beginning at any of its vertices. That is its dress, and changes no answer.
+The text is joined from pieces that are rendered once, above all the obstacle in each dress at
+each place. This writes millions of scenarios a second.
 """
 
 from __future__ import annotations
@@ -36,13 +38,12 @@ class World:
     """A complete world; its scenarios are numbered from 0.
 
     It holds every combination of an obstacle, a robot, a move (dx, dy) with |dx|, |dy| <=
-    reach, and a place, which is a vector that the obstacle is translated by. places: from
-    the greatest coordinates of the robot, those of the obstacle, and the move, to the
-    places, both coordinates of which are in `extent`.
+    reach, and a place, which is a vector that the obstacle is translated by. places: a
+    function of the greatest coordinates of the robot, those of the obstacle, and the move;
+    it returns the places, both coordinates of which are in `extent`.
 
-    All scenarios of a row (they differ in their place only) are written in one dress: one of
-    the first `symmetries` symmetries of the grid. It changes from row to row, as do the
-    vertices that polygons begin with, so that all of them occur.
+    Scenarios that differ only in their place form a row. The dress changes from row to row
+    so that every dress occurs, with the first `symmetries` of the eight symmetries.
     """
 
     def __init__(
@@ -116,8 +117,11 @@ class World:
                     skip -= size
                     continue
                 symmetry = number % self._symmetries
-                head = _head(robot, number // 8 % len(robot), len(obstacle), move, symmetry)
-                placed = _placed(obstacle, number // 7 % len(obstacle), self._extent, symmetry)
+                # Strides without a common divisor, so that dresses of both are combined.
+                first_of_robot = number // 8 % len(robot)
+                first_of_obstacle = number // 7 % len(obstacle)
+                head = _head(robot, first_of_robot, len(obstacle), move, symmetry)
+                placed = _placed(obstacle, first_of_obstacle, self._extent, symmetry)
                 texts: list[str] = []
                 for x, low, high in columns:
                     texts += placed[x - origin][low - origin : high - origin + 1]
@@ -169,9 +173,10 @@ def _where_boxes_meet(robot: Point, obstacle: Point, move: Point) -> list[Column
     return [(x, low, high) for x in range(min(dx, 0) - width, max(dx, 0) + right + 1)]
 
 
-def _pushed(side: int) -> list[Polygon]:
+@cache
+def _pushed(side: int) -> tuple[Polygon, ...]:
     """Return the polygons on a grid up to translation: those that touch both axes."""
-    return [polygon for polygon in grid_polygons(side) if _least(polygon) == (0, 0)]
+    return tuple(polygon for polygon in grid_polygons(side) if _least(polygon) == (0, 0))
 
 
 def _is_least_of_its_images(polygon: Polygon) -> bool:
