@@ -113,8 +113,8 @@ def tiny(tmp_path: Path) -> Iterator[Path]:
 @pytest.mark.parametrize(
     ("name", "text", "where", "message"),
     [
-        ("loud.py", "print('YES\\n' * 9000)", "stdout", "/stdout: No space left on device"),
-        ("big.cpp", "int main() {}", "stderr", "no scratch space: expected 1024 KiB, found "),
+        ("loud.py", "print('YES ' * 9000)", "stdout", "/stdout: No space left on device"),
+        ("big.cpp", "char a[1 << 16] = {1}; int main() { return a[0]; }", "stderr", "no scratch space: expected 1024 KiB, found "),
     ],
 )
 def test_a_full_scratch_space_is_blamed_on_nobody_else(

@@ -86,6 +86,13 @@ class Sink:
         if fd == self._stderr_fd:
             self.stderr += block[: STDERR_BYTES - len(self.stderr)]
         else:
-            os.write(self._file, block[: max(0, self._limit - self.written)])
+            _write_all(self._file, block[: max(0, self._limit - self.written)])
         self.written += len(block)
         return bool(block)
+
+
+def _write_all(fd: int, block: bytes) -> None:
+    """Write a block; a disk that is nearly full takes only a part at first. Raises OSError."""
+    rest = memoryview(block)
+    while rest:
+        rest = rest[os.write(fd, rest) :]
