@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from judge.languages.submission import Submission
     from judge.results import Judging
 
+FILE_WIDTH = 200  # of tables where nothing has to fit a screen
 EXIT_ACCEPTED, EXIT_REJECTED, EXIT_ERROR = 0, 1, FAILED
 
 EXAMPLES = """\
@@ -92,7 +93,8 @@ def _judge(asked: argparse.Namespace) -> int:
         def on_broken_pipe(self) -> None:
             raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))
 
-    console = OwnConsole(highlight=False)
+    width = None if sys.stdout.isatty() else FILE_WIDTH
+    console = OwnConsole(highlight=False, width=width)
     with live(console) as events:
         judging = judge(submission, problem, options, events=events)
     print_report(console, judging)

@@ -17,8 +17,8 @@ def write_whole(path: Path, data: bytes, *, parents: bool = False) -> None:
     """
     target = path.resolve()
     try:
-        if target.exists() and not target.is_file():
-            target.write_bytes(data)
+        if path.exists() and not path.is_file():
+            path.write_bytes(data)  # /dev/stdout resolves to a name that is no file's
             return
         if parents:
             target.parent.mkdir(parents=True, exist_ok=True)
