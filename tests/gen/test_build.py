@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -22,7 +23,7 @@ from judge.problem.cases import group_of
 from judge.problem.manifest import file_faults, load_manifest, sum_of
 
 TINY = "secret/small/02-tiny"
-SMALL = [recipe.case_name for recipe in all_recipes() if recipe.group == "small"]
+SMALL = [recipe.case_name for recipe in load_plan() if recipe.group == "small"]
 
 
 def faults(data, name, entry):
@@ -116,7 +117,7 @@ def test_answers_are_found_by_their_checksum_when_few_come_into_question():
     assert all(sum_of(answers) == entry.answer for entry, answers in found if answers is not None)
     few = [answers for entry, answers in found if min(entry.yes, entry.no) == 0]
     assert None not in few
-    assert len([answers for _, answers in found if answers is None]) > 50
+    assert len([answers for _, answers in found if answers is None]) >= 50
 
 
 def test_check_finds_every_kind_of_fault(gen, data, capsys):
@@ -185,7 +186,10 @@ def test_an_interrupted_build_leaves_nothing_half_written(data):
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
     )
-    time.sleep(0.8)
+    children = Path(f"/proc/{build.pid}/task/{build.pid}/children")
+    while not children.read_text():  # until there are workers
+        time.sleep(0.02)
+    time.sleep(0.2)
     os.kill(build.pid, signal.SIGINT)
     _, errors = build.communicate(timeout=60)
     assert build.returncode == 130

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from gen.added import all_recipes, load_added
+from gen.added import load_added
 from judge.kit.checksums import Checksums
 from judge.kit.paths import ROOT
 from judge.problem.manifest import file_faults, load_manifest
@@ -67,13 +67,12 @@ def unbuilt(errors: str) -> set[str]:
 
 
 def test_a_case_of_a_family_is_validated_answered_and_kept(gen, data, capsys):
-    before = load_added(data)
-    arguments = ("case", "contacts", "--seed", 987654, "--set", "vertices=200", "--data", data)
+    arguments = ("case", "contacts", "--seed", 5, "--set", "vertices=200", "--data", data)
     assert gen(*arguments, "--group", "small") == 0
-    name = "secret/small/contacts-987654"
+    name = "secret/small/contacts-5"
     assert f"{name}: " in capsys.readouterr().out
     assert is_good(data, name)
-    assert [recipe.case_name for recipe in load_added(data)[len(before) :]] == [name]
+    assert [recipe.case_name for recipe in load_added(data)] == [name]
     # Later builds know it, and make it again, byte for byte.
     (data / f"{name}.in").unlink()
     assert gen("build", f"{name}*", "--data", data) == 0
@@ -275,9 +274,3 @@ def test_all_that_contributing_tells_leaves_the_tests_green(kit):
         assert done.returncode == 0, done.stderr
     tests = in_kit(kit, "pytest", "tests/gen", "-m", "not slow", "-q", "-p", "no:cacheprovider")
     assert tests.returncode == 0, tests.stdout[-3000:]
-
-
-def test_all_cases_are_the_plan_and_then_the_added_ones(data):
-    names = [recipe.case_name for recipe in all_recipes(data)]
-    added = [recipe.case_name for recipe in load_added(data)]
-    assert names[len(names) - len(added) :] == added
