@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from judge.kit.command import add_jobs, run
+from judge.kit.files import check_place, write_report
 from judge.kit.processors import processors
 from judge.kit.progress import progress_bar
 from judge.kit.store import Store
@@ -23,7 +24,7 @@ from judge.problem.declaration import Problem, load
 from judge.sandbox.sandbox import Sandbox
 from strength.analysis import Analysis, analyse
 from strength.mutants import cli as mutants
-from strength.output import check_place, counted, table_console, write_report
+from strength.output import counted, table_console
 from strength.page import page
 from strength.show import as_json, print_cases, print_findings, print_groups
 from strength.table import Matrix, build
@@ -74,8 +75,8 @@ def _matrix_command(arguments: Sequence[str]) -> int:
     families = {name: entry.family for name, entry in data.manifest.cases.items()}
     analysis = analyse(matrix, problem, families)
     _print(matrix, analysis, time.perf_counter() - start, cases=options.cases)
-    write_report("--json", options.json, as_json(matrix, analysis))
-    write_report("--html", options.html, page(matrix, analysis, families).encode())
+    write_report("--json", options.json, lambda: as_json(matrix, analysis))
+    write_report("--html", options.html, lambda: page(matrix, analysis, families).encode())
     return FAULTS if analysis.faults else AS_DECLARED
 
 

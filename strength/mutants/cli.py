@@ -14,6 +14,7 @@ from rich.table import Table
 from rich.text import Text
 
 from judge.kit.command import add_jobs, whole_number
+from judge.kit.files import check_place, write_report
 from judge.kit.paths import DATA
 from judge.kit.processors import processors
 from judge.kit.progress import progress_bar
@@ -31,7 +32,7 @@ from strength.mutants.campaign import (
     programs,
     run,
 )
-from strength.output import check_place, table_console, write_report
+from strength.output import table_console
 
 ALL_KILLED, SURVIVORS = 0, 1
 HEADINGS = ("program", "mutants", "WA", "RTE", "TLE", "light", "heavy", "equivalent", "survived")
@@ -63,7 +64,7 @@ def command(arguments: Sequence[str]) -> int:
     problem = load()
     campaign = _campaign(options, problem)
     _print(campaign, problem, time.perf_counter() - start)
-    write_report("--json", options.json, _json(campaign))
+    write_report("--json", options.json, lambda: _json(campaign))
     return ALL_KILLED if campaign.ok else SURVIVORS
 
 

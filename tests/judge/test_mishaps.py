@@ -114,7 +114,12 @@ def tiny(tmp_path: Path) -> Iterator[Path]:
     ("name", "text", "where", "message"),
     [
         ("loud.py", "print('YES ' * 9000)", "stdout", "/stdout: No space left on device"),
-        ("big.cpp", "char a[1 << 16] = {1}; int main() { return a[0]; }", "stderr", "no scratch space: expected 1024 KiB, found "),
+        (
+            "big.cpp",
+            "char a[1 << 16] = {1}; int main() { return a[0]; }",
+            "stderr",
+            "no scratch space: expected 1024 KiB, found ",
+        ),
     ],
 )
 def test_a_full_scratch_space_is_blamed_on_nobody_else(

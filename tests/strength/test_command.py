@@ -6,6 +6,7 @@ import msgspec
 import pytest
 from rich.console import Console
 
+from judge.kit import files
 from judge.problem.cases import Case
 from judge.problem.declaration import load
 from judge.problem.verdict import Verdict
@@ -39,11 +40,11 @@ def test_nonsense_is_refused_in_one_line_before_any_work(arguments, message, cap
 
 
 def test_reports_go_to_build_even_if_it_is_not_there_yet(tmp_path, monkeypatch):
-    monkeypatch.setattr(output, "BUILD", tmp_path / "build")
+    monkeypatch.setattr(files, "BUILD", tmp_path / "build")
     place = tmp_path / "build" / "a.json"
-    output.check_place("--json", place)
+    files.check_place("--json", place)
     assert not place.parent.exists()
-    output.write_report("--json", place, b"{}\n")
+    files.write_report("--json", place, lambda: b"{}\n")
     assert place.read_bytes() == b"{}\n"
 
 
