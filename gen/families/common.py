@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Annotated
+from typing import Annotated, TypeVar
 
 from gen.families.registry import FamilyError, OneOf
 from gen.geometry import Point, Polygon, minus, primitive
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised, fits, settled
+from gen.scenario import Disguise, Scenario, disguised, fits, settled
 from gen.shapes.convex import arc, box, in_box, near_circle, needle, random_convex
 from gen.shapes.edges import directions
 
 _MOST_TRIES = 10_000
+
+S = TypeVar("S", Scenario, Disguise)
 
 ROBOTS = ("circle", "random", "arc")
 DECIDING = ("none", "any", "last", "pairs")
@@ -87,7 +89,7 @@ def turns(rng: Rng, deciding: str, scenarios: int) -> list[str]:
     return shuffled
 
 
-def fitting(make: Callable[[], Scenario | None], tries: int, otherwise: str) -> Scenario:
+def fitting(make: Callable[[], S | None], tries: int, otherwise: str) -> S:
     """Return the first scene that `make` does not give up (None) and that fits the world.
 
     FamilyError says `otherwise` after so many tries.

@@ -58,9 +58,8 @@ def poles(
         return Scenario(large, move, [little])
 
     for number in range(scenarios):
-        scenario = make(number)
-        if pole == "any":
-            scenario = disguised(rng, scenario)
+        made = make(number)
+        scenario = disguised(rng, made) if pole == "any" else made
         if not fits(scenario):
             raise FamilyError("family poles: no scene fits the world; make m or far smaller")
         yield into_corner(rng, scenario)

@@ -21,7 +21,7 @@ from gen.families.registry import (
 from gen.geometry import Polygon, step_right, sweep, translated
 from gen.geometry.contact import Support, vertex_support
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised, into_corner
+from gen.scenario import Disguise, Scenario, disguised, into_corner
 
 TRIES = 20
 
@@ -46,7 +46,7 @@ def tangents(
     """
     for who in turns(rng, deciding, scenarios):
 
-        def make(who: str = who) -> Scenario:
+        def make(who: str = who) -> Disguise:
             return _with_tangents(rng, big_robot(rng, robot, m), obstacles, far, length, who)
 
         too_large = "family tangents: no scene fits the world; make it smaller"
@@ -55,7 +55,7 @@ def tangents(
 
 def _with_tangents(
     rng: Rng, robot: Polygon, count: int, far: int, length: int, who: str
-) -> Scenario:
+) -> Disguise:
     move = any_vector(rng, far) if far else (0, 0)
     covered = sweep(robot, move)
     n = len(covered.vertices)

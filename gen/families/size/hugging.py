@@ -20,7 +20,7 @@ from gen.families.registry import (
 from gen.geometry import Polygon, Sweep, step_right, sweep
 from gen.geometry.contact import Pair, Support, edge_support, pair, vertex_support
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised, into_corner
+from gen.scenario import Disguise, Scenario, disguised, into_corner
 from gen.shapes.convex import in_box, near_circle, random_convex
 
 TRIES = 4
@@ -79,7 +79,7 @@ def hugging(
     shapes = obstacle_shapes(rng, n, obstacles)
     for who in turns(rng, deciding, scenarios):
 
-        def make(who: str = who) -> Scenario:
+        def make(who: str = who) -> Disguise:
             return _hugged(rng, big_robot(rng, robot, m), obstacles, shapes, far, flat, who)
 
         too_large = "family hugging: no scene fits the world; make far, m or n smaller"
@@ -88,7 +88,7 @@ def hugging(
 
 def _hugged(
     rng: Rng, robot: Polygon, count: int, shapes: list[Polygon], far: int, flat: int, who: str
-) -> Scenario:
+) -> Disguise:
     move = any_vector(rng, far) if far else (0, 0)
     covered = sweep(robot, move)
     pairs: list[Pair] = []

@@ -12,7 +12,7 @@ from typing import Annotated
 from gen.families.registry import Between, OneOf, Scenarios, Vertices, family
 from gen.geometry import Point, Polygon, translated
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised
+from gen.scenario import Scenario, disguised, moved
 from gen.shapes.grids import grid_polygons
 
 
@@ -52,7 +52,7 @@ def world(
         vertices -= scenario.vertices
         if vertices < 0:
             return
-        yield disguised(rng, scenario)
+        yield moved(disguised(rng, scenario), (0, 0))
 
 
 def _every(shapes: list[Polygon], moves: list[Point]) -> Iterator[Scenario]:
