@@ -9,7 +9,7 @@ from itertools import chain
 from gen.geometry import Point, Polygon, translated
 from gen.rng import Rng
 
-LIMIT = 100_000_000  # |x|, |y| of everything; the validator proves it against problem.toml
+LIMIT = 100_000_000  # most |x| and |y|; the validator checks every file against problem.toml
 
 Box = tuple[int, int, int, int]  # left, bottom, right, top
 

@@ -100,7 +100,8 @@ FAMILIES: dict[str, Family] = {}  # filled once, by the decorator, while gen.fam
 def family(make: Maker) -> Maker:
     """Register a function as the family of its name; its docstring's first line sums it up.
 
-    Keyword parameters carry their domain in their annotation and have a default.
+    Every keyword parameter has a default, and an annotation that says which values it may
+    have. Raises ValueError if the name is taken.
     """
     hints: dict[str, Any] = get_type_hints(make, include_extras=True)
     parameters = [p for p in inspect.signature(make).parameters.values() if p.name != "rng"]

@@ -38,11 +38,11 @@ def tangents(
     robot: Robot = "circle",
     deciding: Deciding = "pairs",
 ) -> Iterator[Scenario]:
-    """Triangles with an edge of about `length` that is tangent to the sweep at one vertex.
+    """Triangles have an edge of about `length` that is tangent to the sweep at one vertex.
 
-    All around, each misses by one unit, but the deciding one (see `hugging`). The
-    vertices of such an edge are far off, its box and every window of coordinates are
-    full of the sweep's edges, and only a search by angle finds the one that matters.
+    They stand all around the sweep and miss it by one unit, but for the deciding one (see
+    `hugging`). The ends of such an edge are far off, and its bounding box holds many edges of
+    the sweep, so only a search by angle finds the vertex that matters.
     """
     for who in turns(rng, deciding, scenarios):
 

@@ -24,8 +24,6 @@ from gen.scenario import Disguise, Scenario, disguised, into_corner
 from gen.shapes.convex import in_box, near_circle, random_convex
 
 TRIES = 4
-
-
 LONG = 1_000_000  # no obstacle lies flat along a direction longer than this
 
 
@@ -69,12 +67,12 @@ def hugging(
     flat: Annotated[int, Between(0, 100_000)] = 0,
     deciding: Deciding = "pairs",
 ) -> Iterator[Scenario]:
-    """Obstacles of n vertices hug the sweep all around; `deciding` tells which one touches.
+    """Obstacles of n vertices surround the sweep closely; `deciding` tells which one touches.
 
-    Half of them are placed at an edge of the sweep, half at a vertex. With flat >= 1
-    every other one is a triangle that faces the sweep with an edge of up to so many
-    lattice steps. Everything lies in a corner of the world. far 0: nothing moves. deciding:
-    none; any; the last; pairs: in half of the scenes none, in half any.
+    Half of them are placed at an edge of the sweep, half at a vertex. With flat >= 1 every
+    other one is a triangle that faces the sweep with an edge of up to `flat` lattice steps.
+    Everything lies in a corner of the world. far 0: nothing moves. deciding: none; any; the
+    last; pairs: none in half of the scenes, any in the other half.
     """
     shapes = obstacle_shapes(rng, n, obstacles)
     for who in turns(rng, deciding, scenarios):

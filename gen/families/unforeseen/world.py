@@ -40,10 +40,10 @@ def world(
 ) -> Iterator[Scenario]:
     """A complete small world, or random different scenes of it, one obstacle each.
 
-    Every pair of strictly convex polygons in a box of `grid`, up to translation; every
-    move with |dx|, |dy| <= far; every place of the obstacle at which the boxes of the
-    sweep and the obstacle have a point in common. Each scene comes in a random dress (one
-    of its symmetries). order all: one after the other, as many as fit; random: some.
+    Every pair of strictly convex polygons in a box of `grid`, up to translation; every move
+    with |dx|, |dy| <= far; every place of the obstacle where its bounding box meets that of
+    the sweep. A random symmetry of the grid is applied to each scene. order all: one after
+    the other, as many as fit; random: a random selection.
     """
     shapes = shapes_of(grid)
     moves = [(dx, dy) for dx in range(-far, far + 1) for dy in range(-far, far + 1)]
