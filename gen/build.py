@@ -7,8 +7,9 @@ import io
 import multiprocessing
 import signal
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -179,8 +180,7 @@ def build_cases(
                 f"{recipe.case_name}: not in the manifest; build with --update-manifest"
             )
     entries: dict[str, Entry] = {}
-    pool = ProcessPoolExecutor(max_workers=jobs, initializer=_begin_worker)
-    try:
+    with workers(jobs) as pool:
         pending: dict[Future[Entry], Recipe] = {}
         for recipe in sorted(recipes, key=lambda recipe: _cost(recipe, expected), reverse=True):
             entry = None if update else expected[recipe.case_name]
@@ -191,6 +191,15 @@ def build_cases(
                 recipe = pending.pop(future)
                 entries[recipe.case_name] = future.result()
                 done(recipe)
+    return entries
+
+
+@contextmanager
+def workers(jobs: int) -> Iterator[ProcessPoolExecutor]:
+    """Give `jobs` processes to a block; if it fails or is interrupted, they end at once."""
+    pool = ProcessPoolExecutor(max_workers=jobs, initializer=_begin_worker)
+    try:
+        yield pool
     except BaseException:
         # The workers clean up after themselves: see _begin_worker.
         for worker in multiprocessing.active_children():
@@ -198,7 +207,6 @@ def build_cases(
         raise
     finally:
         pool.shutdown(cancel_futures=True)
-    return entries
 
 
 def _cost(recipe: Recipe, expected: Mapping[str, Entry]) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from gen.build import changes
+from gen.build import changes, workers
 from gen.plan import Recipe
 from gen.validator import InputError, Rules, Summary, load_rules, validate
 from judge.kit.checksums import Checksums
@@ -18,16 +18,28 @@ def check_file(path: Path, rules: Rules, name: str = "") -> list[str]:
     return summary if isinstance(summary, list) else []
 
 
-def check_data(data: Path, recipes: Iterable[Recipe], checksums: Checksums) -> list[str]:
-    """Return what is wrong with a data directory, one line each: files, entries, strays."""
+def check_data(
+    data: Path, recipes: Iterable[Recipe], checksums: Checksums, jobs: int = 1
+) -> list[str]:
+    """Return what is wrong with a data directory, one line each: files, entries, strays.
+
+    jobs: so many processes validate the inputs.
+    """
     entries = load_manifest(data).cases
     faults: list[str] = []
     listed = {recipe.case_name: recipe for recipe in recipes}
-    for name, recipe in listed.items():
-        if name in entries:
-            faults += _check_case(data, recipe, entries[name], checksums)
-        else:
-            faults.append(f"{name}: in the plan or added, but not in the manifest")
+    with workers(jobs) as pool:
+        validated = {
+            name: pool.submit(_check_input, data, recipe, entries[name])
+            for name, recipe in listed.items()
+            if name in entries
+        }
+        for name, recipe in listed.items():
+            if name in entries:
+                faults += _check_case(data, recipe, entries[name], checksums)
+                faults += validated[name].result()
+            else:
+                faults.append(f"{name}: in the plan or added, but not in the manifest")
     faults += [
         f"{name}: in the manifest, but neither in the plan nor added"
         for name in entries
@@ -51,14 +63,19 @@ def _check_case(data: Path, recipe: Recipe, entry: Entry, checksums: Checksums) 
     changed = changes(recipe, entry)
     if changed:
         faults.append(f"{name}: the manifest says otherwise in {', '.join(changed)}")
+    return faults
+
+
+def _check_input(data: Path, recipe: Recipe, entry: Entry) -> list[str]:
+    name = recipe.case_name
     path = data / f"{name}.in"
     if not path.exists():
-        return faults  # said already
+        return []  # said already
     summary = _validated(path, load_rules(recipe.group), f"{name}.in")
     if isinstance(summary, list):
-        return faults + summary
+        return summary
     figures = ("scenarios", "vertices", "pair_sum")
-    return faults + [
+    return [
         f"{name}.in: {figure}: the manifest says {getattr(entry, figure)}, "
         f"found {getattr(summary, figure)}"
         for figure in figures

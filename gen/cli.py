@@ -84,6 +84,7 @@ def _parser() -> argparse.ArgumentParser:
     check = commands.add_parser("check", help="validate files; without FILE: all of the data")
     check.add_argument("files", nargs="*", type=Path, metavar="FILE")
     check.add_argument("--group", help="hold the files to this group's promises too")
+    add_jobs(check, processors(), "cases checked")
     _add_data(check)
     check.set_defaults(command=_check)
 
@@ -255,7 +256,7 @@ def _check(options: argparse.Namespace) -> int:
             raise CommandError(f"--data: expected a data directory, found {options.data}")
         recipes = all_recipes(options.data)
         with Store() as store:
-            faults = check_data(options.data, recipes, Checksums(store))
+            faults = check_data(options.data, recipes, Checksums(store), options.jobs)
         checked = f"{len(recipes)} cases"
     for fault in faults:
         complain(fault)
