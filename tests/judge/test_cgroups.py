@@ -250,9 +250,7 @@ def test_delegated_controllers_limit_memory_and_processes(real: Path, tmp_path: 
 
     def look(name: str) -> None:
         give_up = time.monotonic() + 30
-        while (
-            held.get("pids.max", "max") == "max" and time.monotonic() < give_up
-        ):  # until it is set
+        while held.get("pids.max", "max") == "max" and time.monotonic() < give_up:  # not set yet
             for group in real.glob(f"{name}-*"):
                 for file in ("memory.max", "pids.max"):
                     with contextlib.suppress(OSError):

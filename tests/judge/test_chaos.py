@@ -47,7 +47,7 @@ def no_process_is_left() -> Iterator[None]:
 
 
 def alive() -> set[int]:
-    """Return the descendants but for zombies: only this process could reap those it adopted."""
+    """Return the living descendants. Zombies are left out: nobody but this process reaps them."""
     states = {
         pid: read(f"/proc/{pid}/stat").rpartition(")")[2].split()[:1] for pid in descendants()
     }

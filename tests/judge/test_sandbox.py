@@ -387,9 +387,8 @@ def test_a_killed_judge_leaves_nothing(tmp_path: Path) -> None:
         [sys.executable, "-c", code], env=env, cwd=Path(__file__).parents[2]
     ) as p:
         give_up = time.monotonic() + 20
-        while (
-            len(running(mark)) < 2 and time.monotonic() < give_up
-        ):  # one is the judge: its code holds it, too
+        # Two, as the judge's own code holds the mark, too.
+        while len(running(mark)) < 2 and time.monotonic() < give_up:
             time.sleep(0.02)
         assert len(running(mark)) == 2
         p.kill()
@@ -423,9 +422,7 @@ def test_waiting_for_a_processor_is_not_sleep(run_bare: RunPython) -> None:
             process.kill()
             process.wait()
     limits = RunLimits(time_limit_s=1.0, memory_mib=1, output_mib=1)
-    assert facts.elapsed_s > limits.kill_elapsed_s, (
-        "it did not have to wait: the test shows nothing"
-    )
+    assert facts.elapsed_s > limits.kill_elapsed_s, "it did not wait: the test shows nothing"
     assert (facts.stopped, facts.exit_status) == (None, 0)
 
 
@@ -479,10 +476,7 @@ def test_shared_memory_is_estimated_between_exact_measurements(
     memory = Memory({})
     pair = [sample_of(1, 300), sample_of(2, 300)]
     assert (memory.used_mib(pair, 500), looked) == (60.0, [1, 2])
-    assert (memory.used_mib(pair, 500), looked) == (
-        50.0,
-        [1, 2],
-    )  # a lower bound; not measured again
+    assert (memory.used_mib(pair, 500), looked) == (50.0, [1, 2])  # a bound, not measured again
     assert (memory.used_mib([*pair, sample_of(3, 450)], 500), looked[2:]) == (460.0, [1, 2, 3])
     memory._next_s = 0.0
     assert (memory.used_mib(pair[:1], 500), looked[5:]) == (50.0, [1])
