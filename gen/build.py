@@ -1,7 +1,8 @@
-"""The build: plan, family, input, validator, answers, agreement, manifest."""
+"""The build: from recipes to inputs, answers and manifest entries."""
 
 from __future__ import annotations
 
+import gc
 import io
 import multiprocessing
 import signal
@@ -9,25 +10,26 @@ import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from pathlib import Path
+from typing import Any
 
-from gen import manifest
-from gen.answers import AnswerError, DisagreementError, agreed
+from gen.answers import DisagreementError, agreed, answer_file, recorded_answers
 from gen.families import FamilyError, find
-from gen.manifest import Entry
-from gen.parse import parse
-from gen.plan import HAND_MADE, Case
-from gen.scenario import Scenario, render
-from gen.seeds import derive
+from gen.plan import HAND_MADE, Recipe
+from gen.rng import derive
+from gen.scenario import Scenario, parse, render
 from gen.validator import InputError, load_rules, validate
+from judge.kit.checksums import Checksums
 from judge.kit.errors import KitError
 from judge.kit.files import write_whole
-from judge.kit.paths import ROOT
+from judge.kit.paths import BUILD, REFERENCE, ROOT
+from judge.kit.trusted import ProgramError
+from judge.problem.manifest import Entry, file_faults, sum_of
 
-DISAGREEMENTS = ROOT / "build" / "disagreements"
+DISAGREEMENTS = BUILD / "disagreements"
 
 
 class BuildError(KitError):
-    """A case cannot be built, or is not what the manifest says; one clear line."""
+    """A case cannot be built, or is not what the manifest says."""
 
 
 def render_family(family: str, parameters: Mapping[str, int | str], repeat: int) -> bytes:
@@ -43,121 +45,154 @@ def render_family(family: str, parameters: Mapping[str, int | str], repeat: int)
     return content
 
 
-def build_case(data: Path, case: Case, expected: Entry | None) -> Entry:
+def build_case(data: Path, recipe: Recipe, expected: Entry | None, *, verify: bool) -> Entry:
     """Make both files of a case and return its entry.
 
     expected: what the manifest says of it; None: anything. Nothing is written unless the
-    input is valid, two methods agree and the sums are as expected. Raises BuildError.
+    files are as expected, or else the input is valid and two methods agree on the answers.
+    verify: have the input validated and the answers confirmed even if they are as expected.
+    Raises BuildError.
     """
     try:
-        content, scenarios, parameters = _input(data, case)
-        summary = validate(io.BytesIO(content), load_rules(case.group))
+        content, scenarios = _input(data, recipe)
+        answers = None
+        if expected is not None and not verify and sum_of(content) == expected.input:
+            answers = _expected_answers(content, expected)
+        if expected is None or answers is None or changes(recipe, expected):
+            entry, answers = _verified(recipe, content, scenarios)
+            _compare(recipe, entry, expected)
+        else:
+            entry = expected
     except InputError as fault:
-        raise BuildError(f"{case.path}.in:{fault.line}: {fault.reason}") from None
-    except FamilyError as error:
-        raise BuildError(f"{case.path}: {error}") from None
+        raise BuildError(f"{recipe.case_name}.in:{fault.line}: {fault.reason}") from None
+    except (FamilyError, ProgramError) as error:
+        raise BuildError(f"{recipe.case_name}: {error}") from None
+    if recipe.family != HAND_MADE:
+        write_whole(data / f"{recipe.case_name}.in", content, parents=True)
+    write_whole(data / f"{recipe.case_name}.ans", answers, parents=True)
+    return entry
+
+
+def _input(data: Path, recipe: Recipe) -> tuple[bytes, Sequence[Scenario]]:
+    """Return the input of a case, made or read, and its scenarios."""
+    if recipe.family != HAND_MADE:
+        scenarios = find(recipe.family).scenarios(recipe.parameters, recipe.repeat)
+        return render(scenarios), scenarios
+    path = data / f"{recipe.case_name}.in"
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise BuildError(f"{path}: the hand-made input cannot be read: {error.strerror}") from None
+    validate(io.BytesIO(content), load_rules(recipe.group))
+    return content, parse(content)
+
+
+def _expected_answers(content: bytes, expected: Entry) -> bytes | None:
+    """Return the answers if they have the expected checksum, None if not."""
+    answers = recorded_answers(expected)
+    if answers is None:
+        answers = answer_file(REFERENCE, content, expected.scenarios)
+    return answers if sum_of(answers) == expected.answer else None
+
+
+def _verified(recipe: Recipe, content: bytes, scenarios: Sequence[Scenario]) -> tuple[Entry, bytes]:
+    """Return the entry and the answers of a valid input on which two methods agree."""
+    summary = validate(io.BytesIO(content), load_rules(recipe.group))
     try:
         answers = agreed(content, scenarios)
     except DisagreementError as error:
-        kept = DISAGREEMENTS / f"{case.path.replace('/', '-')}.in"
+        kept = DISAGREEMENTS / f"{recipe.case_name.replace('/', '-')}.in"
         write_whole(kept, content, parents=True)
         raise BuildError(
-            f"{case.path}: {error}; the input is kept in {kept.relative_to(ROOT)}"
+            f"{recipe.case_name}: {error}; the input is kept in {kept.relative_to(ROOT)}"
         ) from None
-    except AnswerError as error:
-        raise BuildError(f"{case.path}: {error}") from None
     entry = Entry(
-        family=case.family,
-        parameters=dict(sorted(parameters.items())),
-        repeat=case.repeat,
-        seed=derive(case.family, parameters, case.repeat) if case.family else 0,
-        input=manifest.sum_of(content),
-        answer=manifest.sum_of(answers),
+        **_making(recipe),
+        input=sum_of(content),
+        answer=sum_of(answers),
         scenarios=summary.scenarios,
         vertices=summary.vertices,
         pair_sum=summary.pair_sum,
         yes=answers.count(b"YES"),
         no=answers.count(b"NO"),
     )
-    if expected is not None and entry != expected:
-        differing = [
-            name
-            for name in Entry.__struct_fields__
-            if getattr(entry, name) != getattr(expected, name)
-        ]
-        raise BuildError(
-            f"{case.path}: differs from the manifest in {', '.join(differing)}; "
-            "if that is meant, build with --update-manifest"
-        )
-    if case.family != HAND_MADE:
-        write_whole(data / f"{case.path}.in", content, parents=True)
-    write_whole(data / f"{case.path}.ans", answers, parents=True)
-    return entry
+    return entry, answers
 
 
-def _input(data: Path, case: Case) -> tuple[bytes, Sequence[Scenario], Mapping[str, int | str]]:
-    if case.family == HAND_MADE:
-        try:
-            content = (data / f"{case.path}.in").read_bytes()
-        except OSError as error:
-            raise FamilyError(f"the hand-made input cannot be read: {error.strerror}") from None
-        validate(io.BytesIO(content), load_rules(case.group))
-        return content, parse(content), {}
-    family = find(case.family)
-    parameters = family.resolve(case.parameters)
-    scenarios = family.scenarios(parameters, case.repeat)
-    return render(scenarios), scenarios, parameters
+def _compare(recipe: Recipe, entry: Entry, expected: Entry | None) -> None:
+    """Raise BuildError unless an entry is as expected."""
+    if expected is None or entry == expected:
+        return
+    fields = Entry.__struct_fields__
+    differing = [name for name in fields if getattr(entry, name) != getattr(expected, name)]
+    raise BuildError(
+        f"{recipe.case_name}: differs from the manifest in {', '.join(differing)}; "
+        "if that is meant, build with --update-manifest"
+    )
 
 
-def is_current(data: Path, case: Case, entry: Entry | None) -> bool:
-    """Tell whether both files are there as the manifest says, made as the plan says."""
-    if entry is None or (entry.family, entry.repeat) != (case.family, case.repeat):
+def _making(recipe: Recipe) -> dict[str, Any]:
+    """Return what the manifest says of how a case is made, by field. Raises FamilyError."""
+    parameters = recipe.resolved()
+    return {
+        "family": recipe.family,
+        "parameters": parameters,
+        "repeat": recipe.repeat,
+        "seed": 0
+        if recipe.family == HAND_MADE
+        else derive(recipe.family, parameters, recipe.repeat),
+    }
+
+
+def changes(recipe: Recipe, entry: Entry) -> list[str]:
+    """Return in which fields the entry of a case differs from what its recipe says."""
+    return [field for field, value in _making(recipe).items() if getattr(entry, field) != value]
+
+
+def is_current(data: Path, recipe: Recipe, entry: Entry | None, checksums: Checksums) -> bool:
+    """Tell whether both files are there as the manifest says, made as the recipe says."""
+    if entry is None or changes(recipe, entry):
         return False
-    if case.family != HAND_MADE:
-        try:
-            parameters = find(case.family).resolve(case.parameters)
-        except FamilyError:
-            return False
-        if parameters != entry.parameters:
-            return False
-    return not manifest.faults(data, case.path, entry)
+    return not file_faults(data, recipe.case_name, entry, checksums)
 
 
 def build_cases(
     data: Path,
-    cases: Iterable[Case],
+    recipes: Iterable[Recipe],
     expected: Mapping[str, Entry],
     *,
     update: bool,
+    verify: bool,
     jobs: int,
-    done: Callable[[Case], None],
+    done: Callable[[Recipe], None],
 ) -> dict[str, Entry]:
-    """Build the cases in `jobs` processes and return their entries; the first fault ends it.
+    """Build cases in `jobs` processes and return their entries; the first fault ends it.
 
     expected: the manifest's entries; a case must come out as its entry says, and must have
-    one, unless `update`. `done` is called for every finished case, in the caller's process.
-    Raises BuildError.
+    one, unless `update`. verify: see `build_case`. done: called for every finished case, in
+    the caller's process. Raises BuildError.
     """
+    recipes = list(recipes)
+    for recipe in recipes:
+        if not update and recipe.case_name not in expected:
+            raise BuildError(
+                f"{recipe.case_name}: not in the manifest; build with --update-manifest"
+            )
     entries: dict[str, Entry] = {}
-    cases = list(cases)
-    if not update:
-        for case in cases:
-            if case.path not in expected:
-                raise BuildError(f"{case.path}: not in the manifest; build with --update-manifest")
-    pool = ProcessPoolExecutor(max_workers=jobs, initializer=_end_on_sigterm)
+    pool = ProcessPoolExecutor(max_workers=jobs, initializer=_begin_worker)
     try:
-        pending: dict[Future[Entry], Case] = {
-            pool.submit(build_case, data, case, None if update else expected[case.path]): case
-            for case in cases
-        }
+        pending: dict[Future[Entry], Recipe] = {}
+        for recipe in sorted(recipes, key=lambda recipe: _cost(recipe, expected), reverse=True):
+            entry = None if update else expected[recipe.case_name]
+            pending[pool.submit(build_case, data, recipe, entry, verify=verify)] = recipe
         while pending:
             finished, _ = wait(pending, return_when=FIRST_COMPLETED)
             for future in finished:
-                case = pending.pop(future)
-                entries[case.path] = future.result()
-                done(case)
+                recipe = pending.pop(future)
+                entries[recipe.case_name] = future.result()
+                done(recipe)
     except BaseException:
-        # The workers clean up after themselves: see _end_on_sigterm.
+        # The workers clean up after themselves: see _begin_worker.
         for worker in multiprocessing.active_children():
             worker.terminate()
         raise
@@ -166,7 +201,17 @@ def build_cases(
     return entries
 
 
-def _end_on_sigterm() -> None:
-    """Let the parent alone see Ctrl-C; SIGTERM unwinds what a worker is doing, then ends it."""
+def _cost(recipe: Recipe, expected: Mapping[str, Entry]) -> int:
+    """Return about how long a case takes to build: the longest begin, so that all end together."""
+    entry = expected.get(recipe.case_name)
+    return entry.vertices + 20 * entry.scenarios if entry is not None else 0
+
+
+def _begin_worker() -> None:
+    """Let the parent alone see Ctrl-C; SIGTERM unwinds what a worker is doing, then ends it.
+
+    Scenes hold no reference cycles, so looking for garbage among millions of vertices is in vain.
+    """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+    gc.disable()

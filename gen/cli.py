@@ -1,74 +1,83 @@
-"""The command line of the generators: list, make, build, check, case."""
+"""The command line of the generators: list, make, build, check, case, remove."""
 
 from __future__ import annotations
 
 import argparse
-import os
-import re
+import io
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-from rich.table import Table
-
-from gen import manifest
+from gen.added import all_recipes, find_added, load_added, save_added
+from gen.answers import answer_file
 from gen.build import BuildError, build_cases, is_current, render_family
 from gen.check import check_data, check_file
-from gen.families import FAMILIES, FamilyError, Parameters, find
-from gen.manifest import Entry, ManifestError
-from gen.plan import USER_CASES, Case, PlanError, all_cases, user_case_entry
-from gen.validator import UsageError, load_rules
-from judge.kit.command import run
+from gen.families import FAMILIES, Parameters, find
+from gen.plan import HAND_MADE, NAME, NAME_FORM, Recipe
+from gen.validator import InputError, UsageError, load_rules, validate
+from judge.kit.checksums import Checksums
+from judge.kit.command import add_jobs, complain, run
 from judge.kit.errors import KitError
 from judge.kit.files import write_whole
-from judge.kit.paths import DATA
-from judge.problem.declaration import SpecError, load
+from judge.kit.paths import DATA, REFERENCE, ROOT
+from judge.kit.processors import processors
+from judge.kit.progress import progress_bar
+from judge.kit.store import Store
+from judge.problem.declaration import load
+from judge.problem.manifest import MANIFEST, Entry, load_manifest, save_manifest
 
 OK, NOT_OK = 0, 1
-_NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,60}")
+PIPED_WIDTH = 400  # wide enough for any row, so that nothing is cut
+SHARE_OF_YES = (30, 70)  # per cent; outside, a constant answer is right too often
+FEWEST_ANSWERS = 10  # fewer say nothing about a share
 
 
 class CommandError(KitError):
-    """The command makes no sense as given; one clear line."""
+    """The command makes no sense as given."""
 
 
-ERRORS = (CommandError, FamilyError, ManifestError, PlanError, SpecError, UsageError)
-
-
-def main(arguments: list[str]) -> int:
+def main(arguments: Sequence[str]) -> int:
     """Run one command; return the exit status: 0 ok, 1 not ok, 2 usage error."""
-    options = _parser().parse_args(arguments)
 
     def command() -> int:
+        options = _parser().parse_args(arguments)
         try:
             status: int = options.command(options)
         except BuildError as error:
-            print(f"gen: {error}", file=sys.stderr)
+            complain(f"gen: {error}")
             return NOT_OK
         return status
 
-    return run("gen", command, ERRORS, "interrupted; what was built stays, nothing is half-written")
+    return run(
+        "gen", command, (UsageError,), "interrupted; what was built stays, nothing is half-written"
+    )
 
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python -m gen", description="Make and check test data.")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    listing = commands.add_parser("list", help="the families, their parameters, and the plan")
+    listing = commands.add_parser("list", help="the families, their parameters, and all cases")
+    _add_data(listing)
     listing.set_defaults(command=_list)
 
     make = commands.add_parser("make", help="print a valid file of a family")
-    _add_family(make)
+    make.add_argument("family", metavar="FAMILY")
+    _add_recipe(make)
     make.set_defaults(command=_make)
 
     build = commands.add_parser("build", help="make what is missing or differs from the manifest")
     build.add_argument("globs", nargs="*", metavar="GLOB", help="cases, such as 'secret/many/*'")
     build.add_argument("--force", action="store_true", help="make what is current, too")
-    build.add_argument("--update-manifest", action="store_true", help="accept new sums")
-    _add_jobs(build)
+    build.add_argument(
+        "--verify",
+        action="store_true",
+        help="make all, validate each input and confirm each answer by a second method, "
+        "even where checksums are as in the manifest",
+    )
+    build.add_argument("--update-manifest", action="store_true", help="accept new checksums")
+    add_jobs(build, processors(), "cases built")
     _add_data(build)
     build.set_defaults(command=_build)
 
@@ -79,17 +88,23 @@ def _parser() -> argparse.ArgumentParser:
     check.set_defaults(command=_check)
 
     case = commands.add_parser("case", help="add a test case of your own to the data")
-    _add_family(case)
+    case.add_argument("family", nargs="?", metavar="FAMILY", help="the family that makes it")
+    case.add_argument("--file", type=Path, help="an input written by hand, instead of a family")
+    _add_recipe(case)
     case.add_argument("--group", required=True, help="the group it goes to")
-    case.add_argument("--name", help="its name (default: the family's and the seed)")
+    case.add_argument("--name", help="its name (default: the family's and the seed, or FILE's)")
     _add_data(case)
     case.set_defaults(command=_case)
+
+    remove = commands.add_parser("remove", help="remove a test case that was added by 'case'")
+    remove.add_argument("name", metavar="NAME", help="such as secret/small/contacts-7")
+    _add_data(remove)
+    remove.set_defaults(command=_remove)
     return parser
 
 
-def _add_family(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("family", metavar="FAMILY")
-    parser.add_argument("--seed", type=int, default=1, help="any integer (default: 1)")
+def _add_recipe(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--seed", type=int, help="any integer (default: 1)")
     parser.add_argument(
         "--set",
         action="extend",
@@ -98,11 +113,6 @@ def _add_family(parser: argparse.ArgumentParser) -> None:
         metavar="NAME=VALUE",
         help="parameters of the family",
     )
-
-
-def _add_jobs(parser: argparse.ArgumentParser) -> None:
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    parser.add_argument("--jobs", type=int, default=cores or 1, help="processes (default: cores)")
 
 
 def _add_data(parser: argparse.ArgumentParser) -> None:
@@ -121,76 +131,115 @@ def _parameters(settings: Iterable[str]) -> Parameters:
     return parameters
 
 
+def _seed(options: argparse.Namespace) -> int:
+    return 1 if options.seed is None else options.seed
+
+
 def _list(options: argparse.Namespace) -> int:
-    console = Console(soft_wrap=not sys.stdout.isatty())
-    families = Table("family", "makes", "parameters")
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console(width=None if sys.stdout.isatty() else PIPED_WIDTH)
+    families = Table("family", "in", "makes", "parameters")
     for family in FAMILIES.values():
         defaults = " ".join(f"{name}={value}" for name, value in family.defaults.items())
-        families.add_row(family.name, family.summary, defaults)
+        families.add_row(family.name, family.room, family.summary, defaults)
     cases = Table("case", "family", "parameters", "repeat")
-    for case in all_cases():
-        given = " ".join(f"{name}={value}" for name, value in case.parameters.items())
-        cases.add_row(case.path, case.family or "(hand-made)", given, str(case.repeat))
+    for recipe in all_recipes(options.data):
+        given = " ".join(f"{name}={value}" for name, value in recipe.parameters.items())
+        cases.add_row(recipe.case_name, recipe.family or "(hand-made)", given, str(recipe.repeat))
     console.print(families)
     console.print(cases)
     return OK
 
 
 def _make(options: argparse.Namespace) -> int:
-    content = render_family(options.family, _parameters(options.set), options.seed)
+    content = render_family(options.family, _parameters(options.set), _seed(options))
     sys.stdout.buffer.write(content)
     sys.stdout.buffer.flush()
+    scenarios = int(content[: content.index(b"\n")])
+    answers = answer_file(REFERENCE, content, scenarios)
+    _warn_of_share(f"family {options.family}", answers.count(b"YES"), answers.count(b"NO"))
     return OK
+
+
+def _warn_of_share(name: str, yes: int, no: int) -> None:
+    """Say so if so few or so many answers are YES that a constant answer is mostly right."""
+    low, high = SHARE_OF_YES
+    if yes + no >= FEWEST_ANSWERS and not low * (yes + no) <= 100 * yes <= high * (yes + no):
+        constant = "YES" if yes > no else "NO"
+        complain(
+            f"gen: warning: {name}: {100 * yes // (yes + no)} % of {yes + no} answers are YES "
+            f"(expected {low} to {high} %): a program that always says {constant} is mostly right"
+        )
 
 
 def _build(options: argparse.Namespace) -> int:
-    if options.jobs < 1:
-        raise CommandError(f"--jobs: expected at least 1, found {options.jobs}")
-    cases = all_cases(options.data)
-    chosen = _chosen(cases, options.globs)
-    before = dict(manifest.load(options.data).cases)
-    stale = [
-        case
-        for case in chosen
-        if options.force or not is_current(options.data, case, before.get(case.path))
-    ]
-    built = _with_progress(
-        options.data, stale, before, update=options.update_manifest, jobs=options.jobs
-    )
-    paths = [case.path for case in cases]
-    unplanned = sorted(set(before) - set(paths))
+    data: Path = options.data
+    recipes = all_recipes(data)
+    chosen = _chosen(recipes, options.globs)
+    before = load_manifest(data).cases
+    with Store() as store:
+        checksums = Checksums(store)
+        again = options.force or options.verify
+        stale = [
+            recipe
+            for recipe in chosen
+            if again or not is_current(data, recipe, before.get(recipe.case_name), checksums)
+        ]
+        built = _built(data, stale, before, options)
+        for name in built:  # so that whoever judges need not
+            for ending in (".in", ".ans"):
+                checksums.sha256(data / f"{name}{ending}")
+        checksums.keep()
+    names = [recipe.case_name for recipe in recipes]
+    unlisted = sorted(set(before) - set(names))
     if options.update_manifest:
         known = before | built
-        manifest.save(options.data, {path: known[path] for path in paths if path in known})
-    elif unplanned:
+        save_manifest(data, {name: known[name] for name in names if name in known})
+        for name, entry in built.items():
+            if entry != before.get(name):
+                _warn_of_share(name, entry.yes, entry.no)
+    elif unlisted:
         raise BuildError(
-            f"{unplanned[0]}: in the manifest, but not in the plan; build with --update-manifest"
+            f"{unlisted[0]}: in the manifest, but neither in the plan nor added; "
+            "build with --update-manifest"
         )
-    print(f"{len(built)} built, {len(chosen) - len(built)} were current, of {len(paths)} cases")
+    print(f"{len(built)} built, {len(chosen) - len(built)} were current, of {len(names)} cases")
     return OK
 
 
-def _chosen(cases: Iterable[Case], globs: list[str]) -> list[Case]:
-    if not globs:
-        return list(cases)
+def _chosen(recipes: Sequence[Recipe], globs: Sequence[str]) -> list[Recipe]:
     for glob in globs:
-        if not any(fnmatchcase(case.path, glob) for case in cases):
+        if not any(fnmatchcase(recipe.case_name, glob) for recipe in recipes):
             raise CommandError(f"no case matches {glob!r}; `python -m gen list` shows them")
-    return [case for case in cases if any(fnmatchcase(case.path, glob) for glob in globs)]
+    return [
+        recipe
+        for recipe in recipes
+        if not globs or any(fnmatchcase(recipe.case_name, glob) for glob in globs)
+    ]
 
 
-def _with_progress(
-    data: Path, cases: list[Case], expected: dict[str, Entry], *, update: bool, jobs: int
+def _built(
+    data: Path, recipes: list[Recipe], expected: Mapping[str, Entry], options: argparse.Namespace
 ) -> dict[str, Entry]:
-    columns = (TextColumn("building"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    last = TextColumn("{task.fields[last]}")
-    with Progress(*columns, last, console=Console(stderr=True)) as progress:
-        task = progress.add_task("building", total=len(cases), last="")
+    if not recipes:
+        return {}
+    with progress_bar("building", len(recipes)) as bar:
 
-        def done(case: Case) -> None:
-            progress.update(task, advance=1, last=case.path)
+        def done(recipe: Recipe) -> None:
+            bar.say(f"built {recipe.case_name}")
+            bar.advance()
 
-        return build_cases(data, cases, expected, update=update, jobs=jobs, done=done)
+        return build_cases(
+            data,
+            recipes,
+            expected,
+            update=options.update_manifest,
+            verify=options.verify,
+            jobs=options.jobs,
+            done=done,
+        )
 
 
 def _check(options: argparse.Namespace) -> int:
@@ -202,13 +251,14 @@ def _check(options: argparse.Namespace) -> int:
         if options.group is not None:
             raise CommandError("--group: expected FILE with it; all of the data is held to its own")
         load()  # the whole declaration is held to its form, not only what the validator reads
-        if not (options.data / manifest.FILE).is_file():
+        if not (options.data / MANIFEST).is_file():
             raise CommandError(f"--data: expected a data directory, found {options.data}")
-        cases = all_cases(options.data)
-        faults = check_data(options.data, cases)
-        checked = f"{len(cases)} cases"
+        recipes = all_recipes(options.data)
+        with Store() as store:
+            faults = check_data(options.data, recipes, Checksums(store))
+        checked = f"{len(recipes)} cases"
     for fault in faults:
-        print(fault, file=sys.stderr)
+        complain(fault)
     if not faults:
         print(f"{checked}: valid")
     return NOT_OK if faults else OK
@@ -217,25 +267,94 @@ def _check(options: argparse.Namespace) -> int:
 def _case(options: argparse.Namespace) -> int:
     data: Path = options.data
     load_rules(options.group)
-    name = options.name or f"{options.family.replace('_', '-')}-{options.seed}"
-    if not _NAME.fullmatch(name):
-        form = "up to 61 small letters, digits and dashes"
-        too_long = "" if options.name else "; the seed is too long for one: give a name"
-        raise CommandError(f"--name: expected {form}, found {name!r}{too_long}")
-    parameters = find(options.family).resolve(_parameters(options.set))
-    case = Case(options.group, name, options.family, parameters, options.seed)
-    if any(case.path == other.path for other in all_cases(data)):
-        raise CommandError(f"{case.path}: is there already; choose another --name or --seed")
-    entries = dict(manifest.load(data).cases)
-    entries |= build_cases(data, [case], {}, update=True, jobs=1, done=lambda _: None)
-    added = data / USER_CASES
-    listed = added.read_text(encoding="utf-8") if added.exists() else _USER_CASES_HEAD
-    write_whole(added, (listed + user_case_entry(case)).encode(), parents=True)
-    manifest.save(data, entries)
-    print(f"{case.path}: {entries[case.path].yes} YES, {entries[case.path].no} NO")
+    content = None
+    if options.file is None:
+        recipe = _generated(options)
+    else:
+        recipe, content = _hand_written(options)
+    if any(recipe.case_name == other.case_name for other in all_recipes(data)):
+        other_seed = "" if options.file else " or --seed"
+        raise CommandError(
+            f"{recipe.case_name}: is there already; choose another --name{other_seed}"
+        )
+    entries = dict(load_manifest(data).cases)
+    path = data / f"{recipe.case_name}.in"
+    if content is not None:
+        write_whole(path, content, parents=True)
+    try:
+        built = build_cases(
+            data, [recipe], {}, update=True, verify=True, jobs=1, done=lambda _: None
+        )
+    except BaseException:
+        if content is not None:
+            path.unlink()
+        raise
+    entry = built[recipe.case_name]
+    same = [name for name, other in entries.items() if other.input == entry.input]
+    save_added(data, [*load_added(data), recipe])
+    save_manifest(data, entries | built)
+    print(f"{recipe.case_name}: {entry.yes} YES, {entry.no} NO")
+    for name in same:
+        complain(f"gen: warning: {recipe.case_name}: the same input as {name}")
+    if content is not None and _is_ignored(recipe.group):
+        complain(
+            f"gen: warning: {recipe.case_name}: git ignores files of this group, and `make clean` "
+            "deletes them: keep your own copy"
+        )
+    _warn_of_share(recipe.case_name, entry.yes, entry.no)
     return OK
 
 
-_USER_CASES_HEAD = (
-    "# Cases added with `python -m gen case`; every build makes them as the plan's own.\n"
-)
+def _generated(options: argparse.Namespace) -> Recipe:
+    """Return the recipe of an added case of a family. Raises CommandError, FamilyError."""
+    if options.family is None:
+        raise CommandError("case: expected a FAMILY, or --file with an input written by hand")
+    family, seed = find(options.family), _seed(options)
+    name = options.name or f"{family.name.replace('_', '-')}-{seed}"
+    if not NAME.fullmatch(name):
+        too_long = "" if options.name else "; the seed is too long for one: give a name"
+        raise CommandError(f"--name: expected {NAME_FORM}, found {name!r}{too_long}")
+    parameters = family.resolve(_parameters(options.set))
+    return Recipe(options.group, name, family.name, parameters, seed)
+
+
+def _hand_written(options: argparse.Namespace) -> tuple[Recipe, bytes]:
+    """Return the recipe and the content of a valid input written by hand.
+
+    Raises CommandError; BuildError if the input is not valid.
+    """
+    if options.family is not None or options.set or options.seed is not None:
+        raise CommandError("case: expected --file alone, or a FAMILY with its --seed and --set")
+    file: Path = options.file
+    name = options.name or file.stem
+    if not NAME.fullmatch(name):
+        raise CommandError(f"--name: expected {NAME_FORM}, found {name!r}; give a name")
+    content = file.read_bytes()
+    try:
+        validate(io.BytesIO(content), load_rules(options.group))
+    except InputError as fault:
+        raise BuildError(f"{file}:{fault.line}: {fault.reason}") from None
+    return Recipe(options.group, name, HAND_MADE), content
+
+
+def _is_ignored(group: str) -> bool:
+    """Tell whether the kit's .gitignore names the folder of a group."""
+    try:
+        lines = (ROOT / ".gitignore").read_text(encoding="utf-8").split()
+    except OSError:
+        return False
+    return f"/data/secret/{group}/" in lines
+
+
+def _remove(options: argparse.Namespace) -> int:
+    data: Path = options.data
+    recipe = find_added(options.name, data)
+    name = recipe.case_name
+    entries = dict(load_manifest(data).cases)
+    entries.pop(name, None)
+    save_added(data, [other for other in load_added(data) if other.case_name != name])
+    save_manifest(data, entries)
+    for ending in (".in", ".ans"):
+        (data / f"{name}{ending}").unlink(missing_ok=True)
+    print(f"{name}: removed")
+    return OK

@@ -1,23 +1,30 @@
-"""A scenario, and how scenarios become an input file."""
+"""A scenario, how scenarios become an input file, and how a valid file is read again."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from itertools import chain
 
 from gen.geometry import Point, Polygon, translated
 from gen.rng import Rng
 
 LIMIT = 100_000_000  # |x|, |y| of everything; the validator proves it against problem.toml
 
+Box = tuple[int, int, int, int]  # left, bottom, right, top
+
 
 @dataclass(frozen=True)
 class Scenario:
-    """One question: may `robot` make `move` without touching an obstacle?"""
+    """One question: may `robot` make `move` without touching an obstacle?
+
+    known_box: its bounds if whoever makes it knows them already.
+    """
 
     robot: Polygon
     move: Point
     obstacles: list[Polygon]
+    known_box: Box | None = field(default=None, compare=False, repr=False)
 
     @property
     def vertices(self) -> int:
@@ -41,18 +48,38 @@ def render(scenarios: Iterable[Scenario]) -> bytes:
     return "\n".join([str(count), *parts, ""]).encode()
 
 
-def bounds(scenario: Scenario) -> tuple[int, int, int, int]:
-    """Return (left, bottom, right, top) of everything, the robot's end included."""
-    xs = [x for x, _ in scenario.robot]
-    ys = [y for _, y in scenario.robot]
+def parse(content: bytes) -> list[Scenario]:
+    """Return the scenarios of an input file that the validator has passed. O(size)."""
+    numbers = map(int, content.split())
+    return [_scenario(numbers) for _ in range(next(numbers))]
+
+
+def _scenario(numbers: Iterator[int]) -> Scenario:
+    m, k, dx, dy = (next(numbers) for _ in range(4))
+    robot = _polygon(numbers, m)
+    return Scenario(robot, (dx, dy), [_polygon(numbers, next(numbers)) for _ in range(k)])
+
+
+def _polygon(numbers: Iterator[int], n: int) -> Polygon:
+    return [(next(numbers), next(numbers)) for _ in range(n)]
+
+
+def bounds(scenario: Scenario) -> Box:
+    """Return (left, bottom, right, top) of everything, the robot's end included.
+
+    O(vertices) once for each scenario.
+    """
+    if scenario.known_box is not None:
+        return scenario.known_box
+    xs, ys = zip(*scenario.robot, strict=True)
     dx, dy = scenario.move
     left, right = min(xs) + min(dx, 0), max(xs) + max(dx, 0)
     bottom, top = min(ys) + min(dy, 0), max(ys) + max(dy, 0)
-    for obstacle in scenario.obstacles:
-        xs = [x for x, _ in obstacle]
-        ys = [y for _, y in obstacle]
+    if scenario.obstacles:
+        xs, ys = zip(*chain.from_iterable(scenario.obstacles), strict=True)
         left, right = min(left, min(xs)), max(right, max(xs))
         bottom, top = min(bottom, min(ys)), max(top, max(ys))
+    object.__setattr__(scenario, "known_box", (left, bottom, right, top))
     return left, bottom, right, top
 
 
@@ -102,22 +129,29 @@ def disguised(rng: Rng, scenario: Scenario, *, reorder: bool = True) -> Scenario
     turns, mirror = rng.below(4), rng.chance(0.5)
     if reorder:
         rng.shuffle(obstacles)
+    turned = SYMMETRIES[turns, mirror]
+    (move,) = turned([move])
+    left, bottom, right, top = bounds(scenario)
+    (x, y), (other_x, other_y) = turned([(left, bottom), (right, top)])
     return Scenario(
-        _rotated_start(rng, _turned(robot, turns, mirror)),
-        _turned([move], turns, mirror)[0],
-        [_rotated_start(rng, _turned(obstacle, turns, mirror)) for obstacle in obstacles],
+        _rotated_start(rng, turned(robot)),
+        move,
+        [_rotated_start(rng, turned(obstacle)) for obstacle in obstacles],
+        (min(x, other_x), min(y, other_y), max(x, other_x), max(y, other_y)),
     )
 
 
-def _turned(polygon: Polygon, turns: int, mirror: bool) -> Polygon:
-    """Return the polygon after quarter turns and an optional reflection, counter-clockwise."""
-    if turns == 1:
-        polygon = [(-y, x) for x, y in polygon]
-    elif turns == 2:
-        polygon = [(-x, -y) for x, y in polygon]
-    elif turns == 3:
-        polygon = [(y, -x) for x, y in polygon]
-    return [(-x, y) for x, y in reversed(polygon)] if mirror else polygon
+# By quarter turns and whether there is a reflection after them; all keep counter-clockwise order.
+SYMMETRIES: dict[tuple[int, bool], Callable[[Polygon], Polygon]] = {
+    (0, False): lambda polygon: polygon,
+    (1, False): lambda polygon: [(-y, x) for x, y in polygon],
+    (2, False): lambda polygon: [(-x, -y) for x, y in polygon],
+    (3, False): lambda polygon: [(y, -x) for x, y in polygon],
+    (0, True): lambda polygon: [(-x, y) for x, y in reversed(polygon)],
+    (1, True): lambda polygon: [(y, x) for x, y in reversed(polygon)],
+    (2, True): lambda polygon: [(x, -y) for x, y in reversed(polygon)],
+    (3, True): lambda polygon: [(-y, -x) for x, y in reversed(polygon)],
+}
 
 
 def _rotated_start(rng: Rng, polygon: Polygon) -> Polygon:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from judge.kit.command import FAILED, add_jobs, run
 from judge.kit.errors import KitError
+from judge.kit.files import check_place, write_report
 from judge.kit.paths import DATA
 from judge.kit.processors import cores
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from judge.languages.submission import Submission
     from judge.results import Judging
 
+FILE_WIDTH = 200  # of tables where nothing has to fit a screen
 EXIT_ACCEPTED, EXIT_REJECTED, EXIT_ERROR = 0, 1, FAILED
 
 EXAMPLES = """\
@@ -92,7 +94,8 @@ def _judge(asked: argparse.Namespace) -> int:
         def on_broken_pipe(self) -> None:
             raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))
 
-    console = OwnConsole(highlight=False)
+    width = None if sys.stdout.isatty() else FILE_WIDTH
+    console = OwnConsole(highlight=False, width=width)
     with live(console) as events:
         judging = judge(submission, problem, options, events=events)
     print_report(console, judging)
@@ -105,35 +108,26 @@ def _judge(asked: argparse.Namespace) -> int:
 
 def _reports(asked: argparse.Namespace) -> list[Callable[[Judging], None]]:
     """Return what writes the report files, after a look at whether they can be written."""
-    from judge.kit.files import write_whole
     from judge.reports.junit import to_junit
     from judge.reports.schema import to_json
-
-    def writer(option: str, path: Path, form: Callable[[Judging], bytes]) -> None:
-        def write(judging: Judging) -> None:
-            try:
-                write_whole(path, form(judging))
-            except OSError as error:
-                raise UsageError(f"{option} {path}: {error.strerror}") from None
-
-        writers.append(write)
 
     writers: list[Callable[[Judging], None]] = []
     taken = {Path(asked.submission or "-").absolute(): "the submission"}
     for option, path, form in (("--json", asked.json, to_json), ("--junit", asked.junit, to_junit)):
         if path is None:
             continue
-        if not path.absolute().parent.is_dir():
-            raise UsageError(f"{option} {path}: no such directory")
-        if path.is_dir():
-            raise UsageError(f"{option} {path}: expected a file, found a directory")
+        check_place(option, path)
         if str(path) == "-":  # the table is there already
             raise UsageError(f"{option} -: expected a file, found standard output")
         if other := taken.get(path.absolute()):
             raise UsageError(f"{option} {path}: expected a file of its own, found {other}")
         taken[path.absolute()] = f"the file of {option}"
-        writer(option, path, form)
+        writers.append(partial(_write, option, path, form))
     return writers
+
+
+def _write(option: str, path: Path, form: Callable[[Judging], bytes], judging: Judging) -> None:
+    write_report(option, path, lambda: form(judging))
 
 
 def _submission(asked: argparse.Namespace) -> Submission:

@@ -12,9 +12,9 @@ from judge.kit.errors import KitError
 from judge.kit.paths import BRUTE_FORCE, DATA, REFERENCE, SUBMISSIONS
 from judge.kit.store import Store
 from judge.kit.text import printable_name
-from judge.languages.submission import CompileError, Submission
+from judge.languages.submission import Submission
 from judge.machine import kept_scale
-from judge.pool import Job, Pending, Pool
+from judge.pool import Job, Pending, Pool, Ready
 from judge.problem.data import Data, load_data
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
@@ -76,13 +76,9 @@ def judge(
         compiling = pool.prepare()  # goes on while the data is checked
         data = load_data(problem, options.data, options.groups, options.globs, store)
         time_limit = _TimeLimit(problem, options.time_limit_s, pool, events)
+        ready = _ready(pool, compiling, submission)
         results: list[CaseResult] = []
-        message, wall = "", None
-        try:
-            wall = _wall(pool, compiling, submission)
-        except CompileError as error:
-            message = str(error)
-        else:
+        if not ready.compile_error:
             events.start(len(data.chosen))
             for result in pool.in_order(
                 data.chosen,
@@ -95,7 +91,7 @@ def judge(
             declared = replace(time_limit.limits, time_limit_s=time_limit.declared_s)
             kept = KeptVerdicts(store, submission, declared, data.manifest)
             kept.keep({r.case.name: r.verdict for r in results if r.verdict is not None})
-        return _judging(submission, problem, data, time_limit, results, message, wall)
+        return _judging(submission, problem, data, time_limit, results, ready)
 
 
 def _judging(
@@ -104,14 +100,13 @@ def _judging(
     data: Data,
     time_limit: _TimeLimit,
     results: list[CaseResult],
-    message: str,
-    wall: str | None,
+    ready: Ready,
 ) -> Judging:
-    """Return the outcome. message: why the submission does not compile, empty if it does."""
-    if message:
+    """Return the outcome; results count only if the submission compiles."""
+    if ready.compile_error:
         results = [not_run(case, "does not compile") for case in data.chosen]
     groups = group_results(problem, data.all, results)
-    if message:
+    if ready.compile_error:
         groups = tuple(replace(group, verdict=Verdict.CE, score=0) for group in groups)
     return Judging(
         submission=printable_name(submission.name),
@@ -125,8 +120,8 @@ def _judging(
         memory_mib=time_limit.limits.memory_mib,
         scale=time_limit.scale,
         groups=groups,
-        message=message,
-        wall=wall,
+        message=ready.compile_error,
+        wall=ready.wall,
     )
 
 
@@ -162,8 +157,8 @@ class _TimeLimit:
         return self.limits
 
 
-def _wall(pool: Pool, compiling: Pending[str | None], submission: Submission) -> str | None:
-    """Return the wall around the runs. Raises CompileError; JudgeError where none works."""
+def _ready(pool: Pool, compiling: Pending[Ready], submission: Submission) -> Ready:
+    """Wait for a worker to be ready. Raises JudgeError where no wall works."""
     try:
         return pool.result(compiling)
     except NoWallError as error:

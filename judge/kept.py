@@ -44,9 +44,10 @@ class KeptVerdicts:
 
     def look_up(self, cases: Iterable[Case]) -> dict[str, Verdict]:
         """Return the verdicts that are kept, by the names of their cases."""
-        keys = {self._key(self._entries[c.name]): c.name for c in cases if c.name in self._entries}
-        found = self._store.get(KIND, keys)
-        return {keys[key]: Verdict(word) for key, word in found.items()}
+        keys = {c.name: self._key(self._entries[c.name]) for c in cases if c.name in self._entries}
+        found = self._store.get(KIND, keys.values())
+        words = {name: found.get(key, "") for name, key in keys.items()}
+        return {name: Verdict[word] for name, word in words.items() if word in Verdict.__members__}
 
     def keep(self, verdicts: Mapping[str, Verdict]) -> None:
         """Keep verdicts by the names of their cases. The failures of a judge are not kept."""

@@ -19,7 +19,7 @@ from types import TracebackType
 from typing import Any, Generic, Self, TypeVar
 
 from judge.kit.errors import KitError
-from judge.languages.submission import Program, Submission, compile_submission
+from judge.languages.submission import CompileError, Program, Submission, compile_submission
 from judge.machine import measure_scale
 from judge.problem.cases import Case
 from judge.problem.declaration import Problem
@@ -66,9 +66,11 @@ class Worker:
                 raise
             self.sandbox = Sandbox()
 
-    @property
-    def program(self) -> Program:
-        """The compiled submission. Raises CompileError, LanguageError, SandboxError."""
+    def compile(self) -> Program:
+        """Return the compiled submission; only the first call compiles.
+
+        Raises CompileError, LanguageError, SandboxError.
+        """
         with self._lock:
             if self._program is None:
                 job = self._job
@@ -118,28 +120,39 @@ _WORKERS = _Workers()
 atexit.register(_WORKERS.close_all)
 
 
-def prepare(job: Job) -> str | None:
-    """Task: compile the submission; return the wall that is around its runs, None for none.
+@dataclass(frozen=True, slots=True)
+class Ready:
+    """A worker that is ready. wall: around its runs, None for none.
 
-    Raises NoWallError, CompileError, LanguageError, SandboxError, as the other tasks do.
+    compile_error: why the submission does not compile, empty if it does.
     """
+
+    wall: str | None
+    compile_error: str = ""
+
+
+def prepare(job: Job) -> Ready:
+    """Task: compile the submission. Raises NoWallError, LanguageError, SandboxError."""
     with _WORKERS.using(job) as worker:
-        wall = worker.sandbox.wall
-        assert worker.program
-        return None if wall is None else str(wall)
+        wall = None if worker.sandbox.wall is None else str(worker.sandbox.wall)
+        try:
+            worker.compile()
+        except CompileError as error:
+            return Ready(wall, str(error))
+        return Ready(wall)
 
 
 def run_task(job: Job, limits: RunLimits, case: Case) -> CaseResult:
     """Task: run the submission on one test case. Raises nothing: a worker's failure is JE."""
     try:
         with _WORKERS.using(job) as worker:
-            return run_case(worker.sandbox, worker.program, limits, case)
+            return run_case(worker.sandbox, worker.compile(), limits, case)
     except KitError as error:
         return CaseResult(case, Verdict.JE, 0.0, 0.0, 0.0, str(error))
 
 
 def scale_task(job: Job) -> Scale | None:
-    """Task: measure how fast the worker's machine is. Raises MachineError, too."""
+    """Task: measure how fast the worker's machine is. Raises MachineError, SandboxError."""
     with _WORKERS.using(job) as worker:
         return measure_scale(job.problem, worker.sandbox)
 
@@ -190,7 +203,7 @@ class Pool:
         self._threads.shutdown()
         _WORKERS.close(self._job.key)  # a thread may just have begun with it
 
-    def prepare(self) -> Pending[str | None]:
+    def prepare(self) -> Pending[Ready]:
         """Begin to make a worker ready; see the task `prepare`."""
         return self._start(prepare, self._job)
 

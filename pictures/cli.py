@@ -3,20 +3,32 @@
 from __future__ import annotations
 
 import argparse
-import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from judge.kit.command import run
 from judge.kit.files import write_whole
-from judge.kit.paths import ROOT
+from judge.kit.paths import DATA, ROOT
 from pictures.draw import picture
 from pictures.read import ReadError, read_scenarios
 
 FIGURES = ROOT / "docs" / "figures"
+DONE, STALE = 0, 1
 
 
-def main() -> int:
+def main(arguments: Sequence[str]) -> int:
     """Run the command line; return the exit status: 0 done, 1 out of date, 2 usage."""
+
+    def command() -> int:
+        options = _options(arguments)
+        if options.command == "figures":
+            return draw_figures(check=options.check)
+        return show_scenario(options.file, options.scenario)
+
+    return run("pictures", command)
+
+
+def _options(arguments: Sequence[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m pictures", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     figures = commands.add_parser("figures", help="draw the statement's figures, from the samples")
@@ -24,21 +36,14 @@ def main() -> int:
     show = commands.add_parser("show", help="print the picture of one scenario as SVG")
     show.add_argument("file", type=Path, help="an input file")
     show.add_argument("scenario", type=int, help="its number, counted from 1")
-    arguments = parser.parse_args()
-
-    def command() -> int:
-        if arguments.command == "figures":
-            return draw_figures(check=arguments.check)
-        return show_scenario(arguments.file, arguments.scenario)
-
-    return run("pictures", command, (ReadError,))
+    return parser.parse_args(arguments)
 
 
 def sample_figures() -> dict[Path, str]:
     """Return the statement's figures: path to SVG text, one for each sample."""
     return {
         FIGURES / f"{sample.stem}.svg": sample_picture(sample)
-        for sample in sorted((ROOT / "data" / "sample").glob("*.in"))
+        for sample in sorted((DATA / "sample").glob("*.in"))
     }
 
 
@@ -51,7 +56,10 @@ def sample_picture(sample: Path) -> str:
 
 
 def draw_figures(*, check: bool) -> int:
-    """Write what has changed; with `check`, only say so. Return the exit status."""
+    """Write the figures that are out of date; with `check`, only name them.
+
+    Return the exit status.
+    """
     stale = {
         path: svg
         for path, svg in sample_figures().items()
@@ -63,17 +71,13 @@ def draw_figures(*, check: bool) -> int:
         else:
             write_whole(path, svg.encode())
             print(f"drawn: {path.relative_to(ROOT)}")
-    return 1 if check and stale else 0
+    return STALE if check and stale else DONE
 
 
 def show_scenario(file: Path, number: int) -> int:
-    """Print one scenario's picture. Return the exit status."""
+    """Print the picture of one scenario. Return the exit status. Raises ReadError."""
     scenarios = read_scenarios(file)
     if not 1 <= number <= len(scenarios):
         raise ReadError(f"{file}: there is no scenario {number}, expected 1 to {len(scenarios)}")
     print(picture([scenarios[number - 1]], [f"{file.name}, scenario {number}"]), end="")
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    return DONE

@@ -1,4 +1,4 @@
-"""One scenario as a panel of an SVG picture."""
+"""Draws scenarios as SVG, each in a panel of its own."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ PANEL_PX = 300  # the longer side of the scene
 MARGIN_PX = 26
 CAPTION_PX = 26
 GRID_UNITS_MAX = 40  # a wider scene is drawn without its grid
-OVERLAP_VERTICES_MAX = 2_000  # with more, where the two meet is not computed
+OVERLAP_VERTICES_MAX = 2_000  # of one polygon; with more, the overlap is not drawn
 
 ROBOT = "#1f5fa8"
 SWEEP = "#cfe1f5"
@@ -28,7 +28,7 @@ FONT = "Helvetica, Arial, sans-serif"
 
 
 def picture(scenarios: Sequence[Scenario], captions: Sequence[str]) -> str:
-    """Return an SVG document: the scenarios side by side on one scale, each with its caption."""
+    """Return an SVG document: the scenarios side by side on the same scale, with captions."""
     lefts, bottoms, rights, tops = zip(*map(bounds, scenarios), strict=True)
     frame = (min(lefts), min(bottoms), max(rights), max(tops))
     panels = [Panel(scenario, frame) for scenario in scenarios]
@@ -62,7 +62,7 @@ class Panel:
         self.height = round((self.top - self.bottom) * self.scale) + 2 * MARGIN_PX
 
     def draw(self, group: drawsvg.Group) -> None:
-        """Draw everything, what is behind first."""
+        """Draw everything, from back to front."""
         robot, move = self.scenario.robot, self.scenario.move
         covered = sweep(robot, move).vertices
         if self.units <= GRID_UNITS_MAX:
@@ -88,7 +88,7 @@ class Panel:
             self._arrow(group)
 
     def _place(self, x: int | Fraction, y: int | Fraction) -> tuple[float, float]:
-        """Return the pixel of a point of the scene; y grows upwards there, downwards here."""
+        """Return the pixel of a point: y grows upwards in the scene, downwards in SVG."""
         return (
             round(float(x - self.left) * self.scale + MARGIN_PX, 2),
             round(float(self.top - y) * self.scale + MARGIN_PX, 2),
@@ -121,14 +121,14 @@ class Panel:
         group.append(drawsvg.Lines(*coordinates, close=True, stroke_linejoin="round", **style))
 
     def _hit(self, group: drawsvg.Group, common: list[tuple[Fraction, Fraction]]) -> None:
-        """Mark the points that the sweep and an obstacle share."""
+        """Mark the points that the sweep and an obstacle have in common."""
         if len(common) == 1:
             group.append(drawsvg.Circle(*self._place(*common[0]), 4.5, fill=HIT))
         elif common:
             self._polygon(group, common, fill=HIT, fill_opacity=0.75, stroke=HIT, stroke_width=3)
 
     def _arrow(self, group: drawsvg.Group) -> None:
-        """Draw the displacement from the middle of the robot at its start."""
+        """Draw the displacement as an arrow from the middle of the robot at its start."""
         robot, (dx, dy) = self.scenario.robot, self.scenario.move
         middle_x = Fraction(sum(x for x, _ in robot), len(robot))
         middle_y = Fraction(sum(y for _, y in robot), len(robot))

@@ -1,4 +1,4 @@
-"""Where two convex polygons meet, exactly, for showing why an answer is NO."""
+"""The exact intersection of two convex polygons, to show why an answer is NO."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ ExactPoint = tuple[Fraction, Fraction]
 
 
 def overlap(p: Polygon, q: Polygon) -> list[ExactPoint]:
-    """Return the common points of two convex polygons as a polygon.
+    """Return the intersection of two convex polygons as a polygon.
 
-    Counter-clockwise; empty if they are apart, one point or two if they only touch.
+    Counter-clockwise; empty if they share no point, one or two points if they only touch.
     Exact; O(n * m). Source: Sutherland and Hodgman, Reentrant polygon clipping, 1974.
     """
     points = [(Fraction(x), Fraction(y)) for x, y in p]

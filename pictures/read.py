@@ -1,22 +1,21 @@
-"""Scenarios read from a file that a user names."""
+"""Reads the scenarios of a file that a user names."""
 
 from __future__ import annotations
 
 import io
 from pathlib import Path
 
-from gen.parse import parse
-from gen.scenario import Scenario
+from gen.scenario import Scenario, parse
 from gen.validator import InputError, UsageError, load_rules, validate
 from judge.kit.errors import KitError
 
 
 class ReadError(KitError):
-    """The file is no input file of this problem; the message says which and what to do."""
+    """The file cannot be drawn: it is no valid input file, or has no such scenario."""
 
 
 def read_scenarios(path: Path) -> list[Scenario]:
-    """Return the scenarios of a valid file, in their order. O(size). Raises ReadError."""
+    """Return the scenarios of a valid input file, in their order. O(size). Raises ReadError."""
     try:
         content = path.read_bytes()
         validate(io.BytesIO(content), load_rules())
@@ -24,6 +23,6 @@ def read_scenarios(path: Path) -> list[Scenario]:
         raise ReadError(f"{path}: cannot be read: {error.strerror}") from None
     except UsageError as error:
         raise ReadError(str(error)) from None
-    except InputError as fault:  # a picture of it would show what no program may be asked
+    except InputError as fault:  # no program is ever given such a scenario
         raise ReadError(f"{path}:{fault.line}: {fault.reason}") from None
     return parse(content)

@@ -1,6 +1,7 @@
-"""What a kill matrix says: who falls where and how often, and what each case is good for.
+"""What a kill matrix says: which cases kill each submission, and what each case is good for.
 
-Pure: from verdicts and declarations to findings.
+A case kills a submission that is not accepted on it. Pure: from verdicts and declarations to
+findings.
 """
 
 from __future__ import annotations
@@ -13,8 +14,9 @@ from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
 from strength.table import Matrix, Row
 
-FEWEST_KILLS = 3  # one case may be lost or changed, and luck may pass another
-MUST_FALL_OFTEN = ("wrong_answer/",)  # a slow one is not run again after a group's first TLE
+FEWEST_KILLS = 3  # one case may be lost or changed, and another be passed by luck
+# Not for slow submissions: after a group's first TLE, its other cases are not run.
+NEEDS_MANY_KILLS = ("wrong_answer/",)
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,12 +38,12 @@ class GroupCell:
 class Analysis:
     """The findings.
 
-    cells: by submission and group. families: by submission, how many cases of each
-    family kill it. only_killer: by case, the submissions that no other case kills (TLE
-    aside, since it is not known what else would have).
-    only_in_group: the same within the case's group (a group is worth all or nothing).
-    needless: the cases that kill nothing that others of their group do not kill as well.
-    faults: a line for everything that is not as it must be.
+    cells: by submission and group. families: by submission, how many cases of each family
+    kill it. only_killer: by case, the submissions that no other case kills; without TLE,
+    since the cases after it were not run. only_in_group: the same within the case's group, as
+    a group is all or nothing. needless: the cases whose kills are all repeated elsewhere in
+    their group. faults: a line for each verdict that is not declared, and for each wrong
+    submission that too few cases kill.
     """
 
     cells: Mapping[str, Mapping[str, GroupCell]]
@@ -68,7 +70,7 @@ def analyse(matrix: Matrix, problem: Problem, families: Mapping[str, str]) -> An
         in_group = Counter(group_of[name] for name in names)
         for name in names:
             if row.verdicts[name] is Verdict.TLE:
-                continue  # nothing else of the group was run
+                continue  # the later cases of the group were not run
             if len(names) == 1:
                 only_killer.setdefault(name, []).append(row.submission)
             if in_group[group_of[name]] == 1:
@@ -122,7 +124,7 @@ def _faults(
                 expected = "|".join(sorted(cell.expected))
                 lines.append(f"{submission}: {group}: expected {expected}, found {cell.verdict}")
         count = len(killers[submission])
-        if complete and submission.startswith(MUST_FALL_OFTEN) and count < FEWEST_KILLS:
+        if complete and submission.startswith(NEEDS_MANY_KILLS) and count < FEWEST_KILLS:
             found = ", ".join(killers[submission]) or "none"
             lines.append(
                 f"{submission}: expected at least {FEWEST_KILLS} cases that kill it, found {found}"

@@ -7,6 +7,7 @@ from html import escape
 
 from judge.problem.verdict import Verdict
 from strength.analysis import Analysis
+from strength.output import counted
 from strength.show import HAND_MADE, LETTERS, cell_text, family_text
 from strength.table import Matrix
 
@@ -37,16 +38,17 @@ th:first-child { position: sticky; left: 0; background: var(--page); font-weight
 def page(matrix: Matrix, analysis: Analysis, families: Mapping[str, str]) -> str:
     """Return the page: findings, submissions x groups, submissions x cases, the cases."""
     faults = "".join(f'<li class="fault">{escape(fault)}</li>' for fault in analysis.faults)
-    verdict = f"<ul>{faults}</ul>" if faults else "<p>All submissions fall as they must.</p>"
+    verdict = f"<ul>{faults}</ul>" if faults else "<p>All submissions are judged as declared.</p>"
     return "\n".join(
         [
             '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8">',
             '<meta name="viewport" content="width=device-width">',
             f"<title>Kill matrix</title><style>{STYLE}</style></head><body>",
-            f"<h1>Kill matrix: {len(matrix.rows)} submissions, {len(matrix.cases)} cases</h1>",
+            f"<h1>Kill matrix: {counted(len(matrix.rows), 'submission')}, "
+            f"{counted(len(matrix.cases), 'case')}</h1>",
             verdict,
             "<h2>By group</h2>",
-            "<p>How many cases killed a submission, and the verdict of the group. "
+            "<p>How many cases kill a submission, and the verdict of the group. "
             "After a first TLE (+), the group's other cases are not run.</p>",
             _group_table(analysis),
             "<h2>By case</h2>",

@@ -9,15 +9,17 @@ from rich.text import Text
 
 from judge.problem.verdict import Verdict
 from strength.analysis import Analysis, GroupCell
+from strength.output import counted
 from strength.table import Matrix
 
 LETTERS = {verdict: verdict.value[0] for verdict in Verdict} | {Verdict.AC: "."}
 HAND_MADE = "by hand"
 FORMAT_VERSION = 1
+FAMILIES_WIDTH = 60  # of that column on a terminal
 
 
 def cell_text(cell: GroupCell) -> str:
-    """Return `AC`, or how many cases killed and how: `12 WA`; `1+ TLE`: not run after it."""
+    """Return `AC`, or the number of kills and their verdict: `12 WA`; `1+ TLE`: a lower bound."""
     if cell.verdict is Verdict.AC:
         return "AC"
     more = "+" if cell.verdict is Verdict.TLE else ""
@@ -25,18 +27,22 @@ def cell_text(cell: GroupCell) -> str:
 
 
 def family_text(families: dict[str, int]) -> str:
-    """Return `contacts 4, tiny 2`, the most deadly first."""
+    """Return the families with their numbers of kills, most kills first: `contacts 4, tiny 2`."""
     return ", ".join(f"{name or HAND_MADE} {count}" for name, count in families.items())
 
 
 def print_groups(console: Console, analysis: Analysis) -> None:
-    """Print submissions x groups; red is what problem.toml does not declare."""
+    """Print submissions x groups, in red what problem.toml does not declare.
+
+    Long lists of families are cut on a terminal, with an ellipsis.
+    """
     table = Table(show_edge=False, pad_edge=False)
     table.add_column("submission", no_wrap=True)
     groups = list(next(iter(analysis.cells.values()), {}))
     for group in groups:
         table.add_column(group, justify="right", no_wrap=True)
-    table.add_column("killed by families", no_wrap=True, overflow="ellipsis", max_width=60)
+    width = FAMILIES_WIDTH if console.is_terminal else None
+    table.add_column("killed by families", no_wrap=True, overflow="ellipsis", max_width=width)
     for submission, by_group in analysis.cells.items():
         texts = [_coloured(cell) for cell in by_group.values()]
         table.add_row(submission, *texts, family_text(dict(analysis.families[submission])))
@@ -68,7 +74,10 @@ def print_cases(console: Console, matrix: Matrix) -> None:
 
 
 def print_findings(console: Console, matrix: Matrix, analysis: Analysis, *, needless: bool) -> None:
-    """Print what cases are needed for, how many (if `needless`: which) are not, every fault."""
+    """Print what cases are needed for, how many are not needed, and every fault.
+
+    needless: also name the cases that are not needed.
+    """
     for title, found in (
         ("only killer of", analysis.only_killer),
         ("only killer within its group of", analysis.only_in_group),
@@ -78,12 +87,13 @@ def print_findings(console: Console, matrix: Matrix, analysis: Analysis, *, need
             console.print(Text(text), soft_wrap=True)
     count = f"{len(analysis.needless)} of {len(matrix.cases)}"
     which = f": {', '.join(analysis.needless)}" if needless else " (--cases names them)"
-    text = f"cases that kill nothing that others of their group do not: {count}{which}"
+    text = f"cases whose kills are all repeated elsewhere in their group: {count}{which}"
     console.print(Text(text, style="dim"), soft_wrap=True)
     for fault in analysis.faults:
         console.print(Text(fault, style="bold red"), soft_wrap=True)
     if not analysis.faults:
-        console.print(Text(f"all {len(matrix.rows)} submissions fall as they must", style="green"))
+        judged = f"{counted(len(matrix.rows), 'submission')} judged, all as declared"
+        console.print(Text(judged, style="green"))
 
 
 def as_json(matrix: Matrix, analysis: Analysis) -> bytes:

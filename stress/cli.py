@@ -1,140 +1,161 @@
-"""Solvers against each other: `python -m stress random`, `world`, `complete`, or `all`.
+"""Programs against each other: `python -m stress random`, `world`, `complete`, or `all`.
 
-random: random tiny scenarios; world: a complete small world for the Python programs;
-complete: larger complete worlds for the C++ programs, parts of them for Python too;
+random: tiny random scenarios; world: a complete small world; both for Python programs.
+complete: larger complete worlds for C++ programs, and parts of them for Python programs.
 all: random and world.
 """
 
 from __future__ import annotations
 
 import argparse
-import os
-import sys
 import time
-from collections.abc import Iterable
-from functools import partial
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 from pathlib import Path
+from typing import NamedTuple
 
-from rich.console import Console
-from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
+from judge.kit.command import add_jobs, run, whole_number
+from judge.kit.paths import REFERENCE
+from judge.kit.processors import processors
+from judge.kit.progress import progress_bar
+from judge.sandbox.sandbox import Sandbox
+from stress.chance import random_files
+from stress.compare import File, Outcome, Program, compare, keep
+from stress.programs import CPP, PYTHON, ready
+from stress.worlds import World, box_world, grid_world
 
-from gen.scenario import Scenario
-from judge.kit.command import run
-from judge.languages.table import LanguageError
-from judge.problem.declaration import SpecError, load
-from judge.sandbox.sandbox import Sandbox, SandboxError
-from stress.agree import SOLVERS, Disagreement, SolverError, compare, keep
-from stress.complete import WORLDS, World, compare_world, compiled, size
-from stress.worlds import random_scenarios, small_world
+AGREED, DISAGREED = 0, 1
+LEAST_SIDE, MOST_SIDE = 2, 4  # of the grids of complete worlds
+WORLD_PART = 31_250  # scenarios: of at most 16 vertices each, so 5 * 10^5 in a file
+
+# (robot's side, obstacle's side, reach), by number of scenarios.
+COMPLETE = ((2, 2, 4), (3, 3, 4), (4, 3, 2), (3, 4, 2), (4, 4, 1))
 
 
-def main() -> int:
+class Task(NamedTuple):
+    """What to compare on: the files, and how many scenarios they hold together."""
+
+    name: str
+    files: Iterable[File]
+    scenarios: int
+
+
+def main(arguments: Sequence[str]) -> int:
     """Run the command line; return the exit status: 0 agreed, 1 disagreed, 2 failed."""
+
+    def command() -> int:
+        options = _options(arguments)
+        with Sandbox() as sandbox:
+            programs = _programs(options, sandbox)
+            return max([_compare(task, programs, options.jobs) for task in _tasks(options)])
+
+    return run("stress", command)
+
+
+def _options(arguments: Sequence[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="python -m stress",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("what", choices=["random", "world", "complete", "all"])
-    parser.add_argument("--seeds", type=int, default=10, help="random: how many (default 10)")
-    parser.add_argument(
-        "--scenarios", type=int, default=100_000, help="random: for each seed (default 100000)"
+    add = parser.add_argument
+    add("what", choices=["random", "world", "complete", "all"])
+    add("--seeds", type=whole_number(1), default=10, help="random: how many (default 10)")
+    add(
+        "--scenarios",
+        type=whole_number(1),
+        default=100_000,
+        help="random: for each seed (default 100000)",
     )
-    parser.add_argument("--side", type=int, default=3, help="world: side of the grid (default 3)")
-    parser.add_argument("--reach", type=int, default=2, help="world: of the moves (default 2)")
-    parser.add_argument(
+    add(
+        "--side",
+        type=whole_number(LEAST_SIDE),
+        default=3,
+        help="world: points a side of the grid (default 3)",
+    )
+    add("--reach", type=whole_number(0), default=2, help="world: of the moves (default 2)")
+    add(
         "--solver",
         type=Path,
         action="append",
-        help="a Python program; repeat it (default: solution.py, brute.py, textbook.py)",
+        help="random, world: a program to compare; repeat it, as one alone is compared with "
+        "solution.py (default: solution.py, brute.py, textbook.py)",
     )
-    parser.add_argument(
+    add(
         "--grids",
-        type=int,
+        type=whole_number(0),
         nargs=3,
         metavar=("ROBOT", "OBSTACLE", "REACH"),
-        help="complete: only this world: points a side (2 to 4) of both grids, reach of the moves "
-        "(default: all worlds that are planned)",
+        help=f"complete: only this world: points a side ({LEAST_SIDE} to {MOST_SIDE}) of both "
+        "grids, reach of the moves (default: all planned worlds)",
     )
-    parser.add_argument(
+    add(
         "--python-every",
-        type=int,
+        type=whole_number(0),
         default=100,
         metavar="N",
         help="complete: the Python programs answer every N-th part (default 100; 0: none)",
     )
-    parser.add_argument(
-        "--jobs", type=int, default=len(os.sched_getaffinity(0)), help="complete: parts at a time"
-    )
-    arguments = parser.parse_args()
-    command = _complete if arguments.what == "complete" else _in_python
-    errors = (SolverError, SpecError, LanguageError, SandboxError)
-    return run("stress", partial(command, arguments), errors)
+    add_jobs(parser, processors(), "files answered")
+    options = parser.parse_args(arguments)
+    for side in (options.grids or ())[:2]:
+        if not LEAST_SIDE <= side <= MOST_SIDE:
+            parser.error(
+                f"argument --grids: expected {LEAST_SIDE} to {MOST_SIDE} points a side, "
+                f"found {side}"
+            )
+    return options
 
 
-def _in_python(arguments: argparse.Namespace) -> int:
-    """Compare the Python programs; return the exit status."""
-    solvers = arguments.solver or list(SOLVERS)
-    worlds: list[tuple[str, Iterable[Scenario]]] = []
-    if arguments.what != "world":
-        seeds = range(1, arguments.seeds + 1)
-        every = chain.from_iterable(random_scenarios(seed, arguments.scenarios) for seed in seeds)
-        worlds.append((f"random scenarios from {arguments.seeds} seeds", every))
-    if arguments.what != "random":
-        grid = f"{arguments.side} x {arguments.side}"
-        name = f"all pairs on {grid} grids, all displacements within +-{arguments.reach}"
-        worlds.append((name, small_world(arguments.side, arguments.reach)))
-    return max([_compare(name, scenarios, solvers) for name, scenarios in worlds])
+def _programs(options: argparse.Namespace, sandbox: Sandbox) -> list[Program]:
+    if options.what != "complete":
+        paths = options.solver or PYTHON
+        return ready(paths if len(paths) > 1 else [REFERENCE, *paths], sandbox)
+    programs = ready(CPP, sandbox)
+    if options.python_every:
+        programs += ready(PYTHON, sandbox, options.python_every)
+    return programs
 
 
-def _complete(arguments: argparse.Namespace) -> int:
-    """Compare the C++ programs on complete worlds; return the exit status."""
-    worlds = [World(*arguments.grids)] if arguments.grids else list(WORLDS)
-    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn())
-    status = 0
-    with Sandbox() as sandbox:
-        programs = compiled(load(), sandbox)
-        for world in worlds:
-            start = time.perf_counter()
-            console = Console(stderr=True)
-            with Progress(*columns, console=console, transient=True) as progress:
-                task = progress.add_task(str(world), total=size(world, programs))
-                outcome = compare_world(
-                    world,
-                    programs,
-                    jobs=arguments.jobs,
-                    python_every=arguments.python_every,
-                    progress=partial(progress.advance, task),
-                )
-            seconds = time.perf_counter() - start
-            names = [*programs.solvers]
-            if outcome.by_python:
-                names.append(f"and on {outcome.by_python:,} the Python ones")
-            done = f"{outcome.scenarios:,} scenarios ({outcome.yes:,} YES), {seconds:.0f} s"
-            status = max(status, _tell(str(world), names, outcome.disagreement, done))
-    return status
+def _tasks(options: argparse.Namespace) -> Iterator[Task]:
+    if options.what in ("random", "all"):
+        seeds = range(1, options.seeds + 1)
+        files = chain.from_iterable(random_files(seed, options.scenarios) for seed in seeds)
+        which = "seed 1" if options.seeds == 1 else f"{options.seeds} seeds"
+        name = f"random scenarios from {which}"
+        yield Task(name, files, options.seeds * options.scenarios)
+    if options.what in ("world", "all"):
+        yield _whole(grid_world(options.side, options.reach))
+    if options.what == "complete":
+        for sides_and_reach in [options.grids] if options.grids else COMPLETE:
+            yield _whole(box_world(*sides_and_reach))
 
 
-def _compare(name: str, scenarios: Iterable[Scenario], solvers: list[Path]) -> int:
-    """Compare on one set, print the outcome, and return the exit status."""
+def _whole(world: World) -> Task:
+    return Task(str(world), world.files(WORLD_PART), world.size)
+
+
+def _compare(task: Task, programs: Sequence[Program], jobs: int) -> int:
+    """Compare the programs, print the outcome, and return the exit status."""
     start = time.perf_counter()
-    agreement = compare(scenarios, solvers)
+    with progress_bar(task.name, task.scenarios) as bar:
+        outcome = compare(task.files, programs, jobs=jobs, progress=bar.advance)
     seconds = time.perf_counter() - start
-    done = f"{agreement.scenarios:,} scenarios ({agreement.yes:,} YES), {seconds:.0f} s"
-    return _tell(name, [solver.name for solver in solvers], agreement.disagreement, done)
+    print(f"{task.name}: {_result(outcome, programs)}, {seconds:.0f} s", flush=True)
+    return AGREED if outcome.disagreement is None else DISAGREED
 
 
-def _tell(name: str, solvers: list[str], disagreement: Disagreement | None, done: str) -> int:
-    """Print one outcome and return its exit status."""
-    if disagreement is None:
-        print(f"{name}: {', '.join(solvers)} agree on {done}", flush=True)
-        return 0
-    kept = keep(disagreement)
-    answers = ", ".join(f"{who}: {what}" for who, what in disagreement.answers.items())
-    print(f"{name}: {answers}; the scenario is kept in {kept}; {done}")
-    return 1
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+def _result(outcome: Outcome, programs: Sequence[Program]) -> str:
+    """Return the outcome in words; keep the scenario that programs disagree about."""
+    compared = f"{outcome.scenarios:,} scenarios ({outcome.yes:,} YES)"
+    if outcome.disagreement is not None:
+        answers = ", ".join(f"{name}: {answer}" for name, answer in outcome.disagreement.answers)
+        return f"{answers}; the scenario is kept in {keep(outcome.disagreement)}; {compared}"
+    answered: dict[int, list[str]] = {}
+    for program, scenarios in zip(programs, outcome.answered, strict=True):
+        answered.setdefault(scenarios, []).append(program.name)
+    everything, *parts = answered.items()
+    text = f"{', '.join(everything[1])} agree on {compared}"
+    for scenarios, names in parts:
+        text += f", {', '.join(names)} on {scenarios:,} of them"
+    return text

@@ -6,7 +6,7 @@ import pytest
 
 from judge.kit.paths import ROOT
 from judge.problem import declaration
-from pictures.__main__ import sample_figures
+from pictures.cli import sample_figures
 
 STATEMENT = (ROOT / "problem.md").read_text()
 PROBLEM = declaration.load()

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Annotated
 
-from gen.families.registry import FamilyError
+from gen.families.registry import FamilyError, OneOf
 from gen.geometry import Point, Polygon, minus, primitive
 from gen.rng import Rng
 from gen.scenario import Scenario, disguised, fits, settled
-from gen.shapes.convex import box, in_box, near_circle, needle, random_convex
+from gen.shapes.convex import arc, box, in_box, near_circle, needle, random_convex
 from gen.shapes.edges import directions
 
 _MOST_TRIES = 10_000
 
+ROBOTS = ("circle", "random", "arc")
+DECIDING = ("none", "any", "last", "pairs")
+Robot = Annotated[str, OneOf(ROBOTS)]
+Deciding = Annotated[str, OneOf(DECIDING)]
 MOVES = ("mixed", "zero", "axis", "edge", "tiny", "primitive", "any")
 
 
@@ -30,6 +35,13 @@ def any_shape(rng: Rng, size: int, most: int) -> Polygon:
     return in_box(rng, size, rng.between(3, most))
 
 
+def big_robot(rng: Rng, kind: str, m: int) -> Polygon:
+    """Return a robot with exactly m vertices."""
+    if kind == "circle":
+        return near_circle(rng, m)
+    return random_convex(rng, m) if kind == "random" else arc(rng, m)
+
+
 def scaled_up(polygon: Polygon, size: int) -> Polygon:
     """Return the polygon enlarged by the largest integer that keeps it within `size`."""
     widest = max(max(axis) - min(axis) for axis in zip(*polygon, strict=True))
@@ -40,9 +52,9 @@ def scaled_up(polygon: Polygon, size: int) -> Polygon:
 def any_vector(rng: Rng, reach: int) -> Point:
     """Return a vector other than zero with |x|, |y| <= reach."""
     while True:
-        vector = rng.between(-reach, reach), rng.between(-reach, reach)
-        if vector != (0, 0):
-            return vector
+        x, y = rng.several(2, -reach, reach)
+        if x or y:
+            return x, y
 
 
 def any_move(rng: Rng, kind: str, far: int, robot: Polygon) -> Point:
@@ -64,6 +76,15 @@ def any_move(rng: Rng, kind: str, far: int, robot: Polygon) -> Point:
         return x * times, y * times
     vector = any_vector(rng, far)
     return primitive(vector) if kind == "primitive" else vector
+
+
+def turns(rng: Rng, deciding: str, scenarios: int) -> list[str]:
+    """Return who decides each scene; pairs: in half of them nobody, in half any."""
+    if deciding != "pairs":
+        return [deciding] * scenarios
+    shuffled = [("none", "any")[number % 2] for number in range(scenarios)]
+    rng.shuffle(shuffled)
+    return shuffled
 
 
 def fitting(make: Callable[[], Scenario | None], tries: int, otherwise: str) -> Scenario:

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import difflib
 import inspect
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, get_args, get_type_hints
 
-from gen.rng import Rng
+from gen.rng import Rng, derive
 from gen.scenario import LIMIT, Scenario
-from gen.seeds import derive
 from judge.kit.errors import KitError
+from judge.kit.text import did_you_mean
 
 _INTEGER = re.compile(r"-?[0-9]{1,18}", re.ASCII)
 
@@ -44,15 +43,16 @@ class OneOf:
     def read(self, text: int | str) -> str:
         """Return the word; ValueError tells what was expected."""
         if text not in self.words:
-            near = nearest(str(text), self.words)
+            near = did_you_mean(str(text), self.words)
             raise ValueError(f"expected one of {', '.join(self.words)}, found {text!r}{near}")
         return str(text)
 
 
 Scenarios = Annotated[int, Between(1, 100_000)]
-Obstacles = Annotated[int, Between(0, 166_665)]
 Vertices = Annotated[int, Between(3, 500_000)]
 Length = Annotated[int, Between(1, 2 * LIMIT)]
+Far = Annotated[int, Between(0, 2 * LIMIT)]
+Move = Annotated[str, OneOf(("any", "zero"))]
 Flag = Annotated[int, Between(0, 1)]
 
 Parameters = Mapping[str, int | str]
@@ -68,6 +68,7 @@ class Family:
     """A way to make test cases: a function of a random source and keyword parameters."""
 
     name: str
+    room: str  # the folder below gen/families/ that holds it, named after what it attacks
     summary: str
     make: Maker
     domains: Mapping[str, Between | OneOf]
@@ -77,7 +78,7 @@ class Family:
         """Return all parameters, checked; FamilyError names the first bad one."""
         for name in given:
             if name not in self.domains:
-                near = nearest(name, self.domains)
+                near = did_you_mean(name, self.domains)
                 raise FamilyError(f"family {self.name}: no parameter {name!r}{near}")
         resolved = {}
         for name, domain in self.domains.items():
@@ -104,8 +105,11 @@ def family(make: Maker) -> Maker:
     hints: dict[str, Any] = get_type_hints(make, include_extras=True)
     parameters = [p for p in inspect.signature(make).parameters.values() if p.name != "rng"]
     name = make.__name__
+    if name in FAMILIES and FAMILIES[name].make.__module__ != make.__module__:
+        raise ValueError(f"family {name}: defined in {make.__module__} and before")
     FAMILIES[name] = Family(
         name=name,
+        room=_room(make.__module__),
         summary=(make.__doc__ or "").partition("\n")[0],
         make=make,
         domains={p.name: get_args(hints[p.name])[1] for p in parameters},
@@ -114,16 +118,19 @@ def family(make: Maker) -> Maker:
     return make
 
 
+def _room(module: str) -> str:
+    """Return the room of a family by its module: `gen.families.size.hugging` is in `size`.
+
+    >>> _room("gen.families.size.hugging"), _room("gen.families.mine")
+    ('size', '')
+    """
+    return ".".join(module.split(".")[2:-1])
+
+
 def find(name: str) -> Family:
     """Return the family of this name; FamilyError suggests the nearest."""
     try:
         return FAMILIES[name]
     except KeyError:
-        hint = nearest(name, FAMILIES) or f"; expected one of {', '.join(FAMILIES)}"
+        hint = did_you_mean(name, FAMILIES) or f"; expected one of {', '.join(FAMILIES)}"
         raise FamilyError(f"no family {name!r}{hint}") from None
-
-
-def nearest(word: str, choices: Iterable[str]) -> str:
-    """Return `; did you mean 'x'?` for the nearest choice, or an empty string."""
-    near = difflib.get_close_matches(word, list(choices), n=1)
-    return f"; did you mean {near[0]!r}?" if near else ""

@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
-from gen.geometry import Point, Polygon, cross, hull, primitive, step_right
+from bisect import bisect_left
+from functools import cache
+
+from gen.geometry import Point, Polygon, hull, is_upper, primitive, step_right
 from gen.rng import Rng
-from gen.shapes.edges import angle_key, directions, from_edges, from_sorted_edges, reach_for
+from gen.shapes.edges import (
+    angle_key,
+    closed,
+    directions,
+    directions_from,
+    number_of_directions,
+    reach_for,
+)
 
 
 def in_box(rng: Rng, size: int, most: int) -> Polygon:
     """Return the hull of `most` random points of [0, size]^2: 3 to `most` vertices; size >= 1."""
     while True:
-        corners = hull([(rng.between(0, size), rng.between(0, size)) for _ in range(most)])
+        numbers = iter(rng.several(2 * most, 0, size))
+        corners = hull(list(zip(numbers, numbers, strict=True)))
         if len(corners) >= 3:
             return corners
 
@@ -55,13 +66,29 @@ def near_circle(rng: Rng, n: int) -> Polygon:
     Its edges are the shortest primitive vectors, some left out at random, and one that
     closes. O(n log n).
     """
-    reach = reach_for(n * 4 // 3 + 8)
-    by_length = sorted(directions(reach), key=lambda v: v[0] * v[0] + v[1] * v[1])
-    choices = sorted(by_length[: n + n // 16 + 2], key=angle_key)
+    choices = _shortest(n + n // 16 + 2, reach_for(n * 4 // 3 + 8))
     while True:
         polygon = closed(rng.subset(choices, n - 1))
         if len(polygon) == n:
             return polygon
+
+
+@cache
+def _shortest(count: int, reach: int) -> list[Point]:
+    """Return the `count` shortest of the directions of a reach, by angle; of equals, the first."""
+    choices = directions(reach)
+    squares = [x * x + y * y for x, y in choices]
+    ordered = sorted(squares)
+    longest = ordered[count - 1]
+    equals = count - bisect_left(ordered, longest)
+    found = []
+    for direction, square in zip(choices, squares, strict=True):
+        if square < longest:
+            found.append(direction)
+        elif square == longest and equals:
+            found.append(direction)
+            equals -= 1
+    return found
 
 
 def arc(rng: Rng, n: int, reach: int = 0) -> Polygon:
@@ -70,45 +97,24 @@ def arc(rng: Rng, n: int, reach: int = 0) -> Polygon:
     The cone is a sixteenth of the full turn; the last edge, by far the longest, closes.
     """
     reach = reach or reach_for(20 * n)
-    choices = directions(reach)
-    start = rng.below(len(choices))
-    cone = (choices + choices)[start : start + max(n, len(choices) // 16)]
-    return closed(rng.subset(cone, n - 1))
+    total = number_of_directions(reach)
+    start = rng.below(total)
+    cone = directions_from(reach, start, max(n, total // 16))
+    edges = rng.subset(cone, n - 1)
+    if not is_upper(edges[0]):  # from 0 degrees on again, if the cone gets there
+        zero = bisect_left(edges, True, key=is_upper)
+        edges = edges[zero:] + edges[:zero]
+    return closed(edges)
 
 
 def many_gon(rng: Rng, edges: list[Point], n: int, stretch: int) -> Polygon:
     """Return a polygon with at most n vertices whose edges but one are parallel to given ones."""
     while True:
         chosen = rng.subset(edges, min(n - 1, len(edges)))
-        lengths = [rng.between(1, stretch) for _ in chosen]
-        polygon = closed(
-            [(x * s, y * s) for (x, y), s in zip(map(primitive, chosen), lengths, strict=True)]
-        )
+        lengths: dict[Point, int] = {}  # by direction, which several of the edges may share
+        for direction in map(primitive, chosen):
+            lengths[direction] = lengths.get(direction, 0) + rng.between(1, stretch)
+        ordered = sorted(lengths, key=angle_key)
+        polygon = closed([(x * s, y * s) for x, y in ordered for s in (lengths[x, y],)])
         if len(polygon) >= 3:
             return polygon
-
-
-def closed(edges: list[Point]) -> Polygon:
-    """Return the polygon of the edges and the one that closes them; [] when they span no area.
-
-    One vertex per edge, unless edges (the closing one included) share a direction.
-    """
-    sx, sy = sum(x for x, _ in edges), sum(y for _, y in edges)
-    if (sx, sy) != (0, 0):
-        edges = [*edges, (-sx, -sy)]
-    if all(cross(edges[0], edge) == 0 for edge in edges):
-        return []
-    return from_edges(edges)
-
-
-__all__ = [
-    "arc",
-    "box",
-    "closed",
-    "from_sorted_edges",
-    "in_box",
-    "many_gon",
-    "near_circle",
-    "needle",
-    "random_convex",
-]

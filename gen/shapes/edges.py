@@ -1,10 +1,11 @@
-"""Edges sorted by angle: the stuff that convex polygons are made of."""
+"""Edges sorted by angle, from which convex polygons are made."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from bisect import bisect_left
+from collections.abc import Sequence
 from functools import cache
-from itertools import accumulate, pairwise
+from itertools import accumulate
 
 from gen.geometry import Point, Polygon
 
@@ -24,34 +25,70 @@ def angle_key(v: Point) -> int:
     return quotient + (2 << _SCALE)
 
 
-def from_edges(edges: Iterable[Point]) -> Polygon:
-    """Return the convex polygon with these edges, lowest then leftmost vertex first, at (0, 0).
+def closed(edges: Sequence[Point]) -> Polygon:
+    """Return the convex polygon of these edges and the one that closes them.
 
-    The edges sum to zero and span the plane; edges of one direction are joined.
-    O(n log n).
+    edges: no two of one direction, ordered by angle from 0 up. The lowest, then leftmost,
+    vertex is (0, 0) and comes first. One vertex per edge, one less if the closing edge is
+    zero or goes on in the direction of another; [] when the edges span no area.
+    O(n) additions, O(log n) comparisons of angles.
     """
-    return from_sorted_edges(sorted(edges, key=angle_key))
-
-
-def from_sorted_edges(edges: list[Point]) -> Polygon:
-    """As `from_edges`, for edges already ordered by angle from 0 up. O(n)."""
-    joined = [edges[0]]
-    for (ax, ay), (bx, by) in pairwise(edges):
-        if ax * by == ay * bx and ax * bx + ay * by > 0:
-            joined[-1] = (joined[-1][0] + bx, joined[-1][1] + by)
+    xs, ys = [x for x, _ in edges], [y for _, y in edges]
+    close_x, close_y = -sum(xs), -sum(ys)
+    if close_x or close_y:
+        key = angle_key((close_x, close_y))
+        at = bisect_left(edges, key, key=angle_key)
+        if at < len(edges) and angle_key(edges[at]) == key:
+            xs[at] += close_x
+            ys[at] += close_y
         else:
-            joined.append((bx, by))
-    xs = accumulate((x for x, _ in joined[:-1]), initial=0)
-    ys = accumulate((y for _, y in joined[:-1]), initial=0)
-    return list(zip(xs, ys, strict=True))
+            xs.insert(at, close_x)
+            ys.insert(at, close_y)
+    if all(xs[0] * y == ys[0] * x for x, y in zip(xs, ys, strict=True)):
+        return []
+    xs.pop()
+    ys.pop()
+    return list(zip(accumulate(xs, initial=0), accumulate(ys, initial=0), strict=True))
 
 
 @cache
 def directions(reach: int) -> tuple[Point, ...]:
     """Return every primitive (x, y) with |x|, |y| <= reach, by angle from 0 up.
 
-    There are about 4.86 * reach^2. O(result): a walk along the Farey sequence.
-    Source: Graham, Knuth, Patashnik, Concrete Mathematics, 4.5.
+    There are about 4.86 * reach^2. O(result).
+    """
+    return tuple(directions_from(reach, 0, number_of_directions(reach)))
+
+
+def directions_from(reach: int, start: int, count: int) -> list[Point]:
+    """Return `count` consecutive items of `directions`, beginning with index `start`, cyclically.
+
+    O(count + reach^2), a quarter of the work for all of them if count is small.
+    """
+    quadrant = _first_quadrant(reach)
+    size = len(quadrant)
+    found: list[Point] = []
+    while count > 0:
+        turns, first = divmod(start % (4 * size), size)
+        part = quadrant[first : first + count]
+        if turns == 1:
+            part = [(-y, x) for x, y in part]
+        elif turns == 2:
+            part = [(-x, -y) for x, y in part]
+        elif turns == 3:
+            part = [(y, -x) for x, y in part]
+        found += part
+        start += len(part)
+        count -= len(part)
+    return found
+
+
+@cache
+def _first_quadrant(reach: int) -> list[Point]:
+    """Return the directions from 0 up to, but not including, 90 degrees, by angle.
+
+    A walk along the Farey sequence. Source: Graham, Knuth, Patashnik, Concrete
+    Mathematics, 4.5.
     """
     octant = [(1, 0)]  # (x, y) for the fractions y / x from 0 to 1
     a, b, c, d = 0, 1, 1, reach
@@ -59,16 +96,26 @@ def directions(reach: int) -> tuple[Point, ...]:
         octant.append((d, c))
         step = (reach + b) // d
         a, b, c, d = c, d, step * c - a, step * d - b
-    quadrant = octant + [(y, x) for x, y in octant[-2:0:-1]]
-    half = quadrant + [(-y, x) for x, y in quadrant]
-    if reach == 1:  # the octant is (1, 0), (1, 1): nothing is doubled above but nothing lost
-        half = [(1, 0), (1, 1), (0, 1), (-1, 1)]
-    return tuple(half + [(-x, -y) for x, y in half])
+    return octant + [(y, x) for x, y in octant[-2:0:-1]]
 
 
+def number_of_directions(reach: int) -> int:
+    """Return how many directions there are: 8 times the sum of Euler's totients up to reach.
+
+    O(reach log log reach).
+    """
+    totients = list(range(reach + 1))
+    for prime in range(2, reach + 1):
+        if totients[prime] == prime:
+            for multiple in range(prime, reach + 1, prime):
+                totients[multiple] -= totients[multiple] // prime
+    return 8 * sum(totients)
+
+
+@cache
 def reach_for(n: int) -> int:
     """Return a reach whose directions are at least n, and not many more than needed."""
     reach = 1
-    while len(directions(reach)) < n:
+    while number_of_directions(reach) < n:
         reach = reach + max(1, reach // 8)
     return reach

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 import os
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
+
+from judge.kit.errors import KitError
+from judge.kit.paths import BUILD
+
+
+class FileError(KitError):
+    """A file cannot be written where it is asked for."""
 
 
 def write_whole(path: Path, data: bytes, *, parents: bool = False) -> None:
@@ -17,8 +25,8 @@ def write_whole(path: Path, data: bytes, *, parents: bool = False) -> None:
     """
     target = path.resolve()
     try:
-        if target.exists() and not target.is_file():
-            target.write_bytes(data)
+        if path.exists() and not path.is_file():
+            path.write_bytes(data)  # /dev/stdout resolves to a name that is no file's
             return
         if parents:
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -38,3 +46,28 @@ def _replace(target: Path, data: bytes) -> None:
     except BaseException:
         beside.unlink(missing_ok=True)
         raise
+
+
+def check_place(option: str, path: Path | None) -> None:
+    """Raise FileError if a report cannot be written to `path`, before hours of work.
+
+    option: what asked for it; path None: nobody did. build/ is made where it is missing;
+    other directories must be there.
+    """
+    if path is None:
+        return
+    directory = path.absolute().parent
+    if not directory.is_dir() and directory != BUILD:
+        raise FileError(f"{option} {path}: no such directory")
+    if path.is_dir():
+        raise FileError(f"{option} {path}: expected a file, found a directory")
+
+
+def write_report(option: str, path: Path | None, content: Callable[[], bytes]) -> None:
+    """Write a report if one was asked for. Raises FileError."""
+    if path is None:
+        return
+    try:
+        write_whole(path, content(), parents=path.absolute().parent == BUILD)
+    except OSError as error:
+        raise FileError(f"{option} {path}: {error.strerror}") from None

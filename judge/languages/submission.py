@@ -144,6 +144,7 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
         }.get(facts.stopped, f"more than {run_limits.time_limit_s:.0f} s")
         raise CompileError(f"the compiler was stopped: {limit}\n{said}".rstrip())
     if facts.exit_status != 0:
+        sandbox.check_space()  # or the compiler is blamed for a full disk
         ended = f"signal {facts.signal}" if facts.signal else f"exit status {facts.exit_status}"
         raise CompileError(said or f"the compiler ended with {ended} and said nothing")
     command = tools.run_command(inside, source_name, main, limits.memory_mib)

@@ -23,6 +23,7 @@ from judge.sandbox.wall import PROGRAM, SCRATCH, Wall
 
 __all__ = ["Command", "Sandbox", "SandboxError"]
 
+LEAST_SCRATCH_KIB = 1024  # a compiler that fails with less may lack space
 FILE_MIB = 256  # the largest file a run may write into its scratch directory
 ENDED = "the judging was ended"
 
@@ -185,6 +186,16 @@ class Sandbox:
             return Path(tempfile.mkdtemp(dir=self.scratch, prefix=prefix))
         except OSError as error:
             raise SandboxError(f"{self.scratch}: no scratch space: {error.strerror}") from None
+
+    def check_space(self) -> None:
+        """Raise SandboxError if next to no space is left for scratch files."""
+        seen = os.statvfs(self.scratch)
+        left_kib = seen.f_bavail * seen.f_frsize >> 10
+        if left_kib < LEAST_SCRATCH_KIB:
+            raise SandboxError(
+                f"{self.scratch.parent}: no scratch space: expected {LEAST_SCRATCH_KIB} KiB, "
+                f"found {left_kib} KiB"
+            )
 
     def close(self) -> None:
         """End all runs and keepers, and remove the scratch directory; twice does no harm."""

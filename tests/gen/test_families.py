@@ -9,11 +9,8 @@ import pytest
 
 from gen.families import FAMILIES, FamilyError, find
 from gen.geometry import apart, cross, minus, sweep
-from gen.parse import parse
-from gen.plan import PLANNED
-from gen.rng import Rng
-from gen.scenario import LIMIT, render
-from gen.seeds import derive
+from gen.rng import Rng, derive
+from gen.scenario import LIMIT, parse, render
 from gen.validator import load_rules, validate
 from judge.kit.paths import ROOT
 
@@ -55,20 +52,22 @@ def test_nothing_moves_when_asked(name):
 def test_equal_seeds_give_equal_bytes_whatever_the_hash_seed():
     program = (
         "from gen.families import FAMILIES; from gen.scenario import render; import hashlib\n"
-        f"for name, family in FAMILIES.items():\n"
-        f"    scenes = family.scenarios({LITTLE!r}.get(name, {{}}), 5)\n"
+        "for name, family in FAMILIES.items():\n"
+        "    few = {'vertices': 600} if 'vertices' in family.defaults else {}\n"
+        "    scenes = family.scenarios(few, 5)\n"
         "    print(name, hashlib.sha256(render(scenes)).hexdigest())\n"
     )
-    outputs = {
-        subprocess.run(
+    runs = [
+        subprocess.Popen(
             [sys.executable, "-c", program],
             env={**os.environ, "PYTHONHASHSEED": seed},
             cwd=ROOT,
-            capture_output=True,
-            check=True,
-        ).stdout
+            stdout=subprocess.PIPE,
+        )
         for seed in ("0", "1", "4242")
-    }
+    ]
+    outputs = {run.communicate()[0] for run in runs}
+    assert [run.returncode for run in runs] == [0, 0, 0]
     assert len(outputs) == 1
     assert len({line.split()[1] for line in outputs.pop().splitlines()}) == len(FAMILIES)
 
@@ -162,17 +161,9 @@ def test_the_smallest_world_is_complete():
         ("parallel", {"reach": 10_000, "stretch": 2 * 10**8}, "no scene fits the world"),
     ],
 )
-def test_bad_parameters_are_explained(family, parameters, message):
+def test_bad_parameters_are_explained(family, parameters, message, monkeypatch):
+    monkeypatch.setattr("gen.families.common._MOST_TRIES", 300)
     with pytest.raises(FamilyError) as caught:
         find(family).scenarios(parameters, 1)
     assert message in str(caught.value)
     assert "\n" not in str(caught.value)
-
-
-def test_plan_names_are_unique_and_its_parameters_good():
-    assert len({case.path for case in PLANNED}) == len(PLANNED) >= 50
-    recipes = {(case.family, repr(case.parameters), case.repeat) for case in PLANNED if case.family}
-    assert len(recipes) == sum(bool(case.family) for case in PLANNED)
-    for case in PLANNED:
-        if case.family:
-            find(case.family).resolve(case.parameters)

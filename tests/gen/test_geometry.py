@@ -6,8 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gen.decompose import convex_pieces
-from gen.families.rooms import star
+from gen.families.unforeseen.rooms import star
 from gen.geometry import (
     apart,
     cross,
@@ -18,6 +17,7 @@ from gen.geometry import (
     sweep,
     translated,
 )
+from gen.geometry.decompose import convex_pieces
 from gen.rng import Rng
 from gen.shapes.convex import arc, in_box, many_gon, near_circle, needle, random_convex
 from gen.shapes.edges import angle_key, directions

@@ -1,4 +1,7 @@
-"""The shape of the whole set: sizes at the limits, answers that no guess hits, no file twice."""
+"""The shape of the planned set: sizes at the limits, answers no guess hits, no file twice.
+
+Cases that users added do not count: they may be one-sided, or like one another.
+"""
 
 from __future__ import annotations
 
@@ -7,26 +10,30 @@ from pathlib import Path
 
 import pytest
 
-from gen import manifest
-from gen.parse import parse
+from gen.plan import load_plan
+from gen.scenario import parse
 from gen.validator import load_rules
 from judge.kit.paths import DATA
 from judge.problem.declaration import load
+from judge.problem.manifest import Entry, load_manifest
 
 PROBLEM = load()
 RULES = load_rules()
-ENTRIES = manifest.load(DATA).cases
+MANIFEST = load_manifest(DATA).cases
+PLANNED = [recipe for recipe in load_plan() if recipe.case_name in MANIFEST]
+ENTRIES = {recipe.case_name: MANIFEST[recipe.case_name] for recipe in PLANNED}
 SCORED = [group.name for group in PROBLEM.groups if group.points]
 COMMITTED = ["static", "small"]
 
 
-def entries(group: str) -> list[manifest.Entry]:
-    return [entry for path, entry in ENTRIES.items() if path.startswith(f"secret/{group}/")]
+def entries(group: str) -> list[Entry]:
+    """Return the entries of the planned cases of a group."""
+    return [ENTRIES[recipe.case_name] for recipe in PLANNED if recipe.group == group]
 
 
 def inputs(group: str) -> list[Path]:
-    found = sorted((DATA / "secret" / group).glob("*.in"))
-    if not found:
+    found = [DATA / f"{recipe.case_name}.in" for recipe in PLANNED if recipe.group == group]
+    if not all(path.exists() for path in found):
         pytest.skip(f"secret/{group} is not built; 'make data' builds it")
     return found
 

@@ -9,7 +9,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from judge.calibrate import Time, main, margins, measure, written
+from judge.calibrate.cli import main, written
+from judge.calibrate.margins import Time, margins, measure
 from judge.judging import JudgeError
 from judge.kit.paths import PROBLEM_FILE
 from judge.problem.cases import Case
@@ -95,13 +96,13 @@ def runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Runs:
             _, verdict, cpu_s = script[case.name.removeprefix("secret/")]
             return CaseResult(case, verdict, cpu_s, cpu_s, 1.0, "as the script says")
 
-        monkeypatch.setattr("judge.calibrate.run_case", run_case)
+        monkeypatch.setattr("judge.calibrate.margins.run_case", run_case)
         times = measure(name, PROBLEM, cases, None, told.append)  # type: ignore[arg-type] # not used
         assert told == times
         return times, made
 
     program = SimpleNamespace(command=None)
-    monkeypatch.setattr("judge.calibrate.compile_submission", lambda *_: program)
+    monkeypatch.setattr("judge.calibrate.margins.compile_submission", lambda *_: program)
     return run
 
 
@@ -156,12 +157,12 @@ def calibrate(
     """Run the command line on a copy of problem.toml; every slow submission takes `slow_s`."""
     copy = tmp_path / "problem.toml"
     copy.write_bytes(PROBLEM_FILE.read_bytes())
-    monkeypatch.setattr("judge.calibrate.PROBLEM_FILE", copy)
-    monkeypatch.setattr("judge.calibrate.load", lambda: load(copy))
+    monkeypatch.setattr("judge.calibrate.cli.PROBLEM_FILE", copy)
+    monkeypatch.setattr("judge.calibrate.cli.load", lambda: load(copy))
     no_cases = SimpleNamespace(chosen=())
-    monkeypatch.setattr("judge.calibrate.load_data", lambda *_, **__: no_cases)
-    monkeypatch.setattr("judge.calibrate.reference_cpu_s", lambda *_: 0.31234)
-    monkeypatch.setattr("judge.calibrate.forget_scale", lambda: None)
+    monkeypatch.setattr("judge.calibrate.cli.load_data", lambda *_, **__: no_cases)
+    monkeypatch.setattr("judge.calibrate.cli.reference_cpu_s", lambda *_: 0.31234)
+    monkeypatch.setattr("judge.calibrate.cli.forget_scale", lambda: None)
 
     def run(*arguments: str, slow_s: float) -> tuple[int, str, list[str]]:
         def measured(name: str, *others: object) -> list[Time]:
@@ -171,7 +172,7 @@ def calibrate(
             others[-1](times[0])  # type: ignore[operator] # the callback `tell`
             return times
 
-        monkeypatch.setattr("judge.calibrate.measure", measured)
+        monkeypatch.setattr("judge.calibrate.cli.measure", measured)
         before = copy.read_text().splitlines()
         status = main(arguments)
         lines = zip(before, copy.read_text().splitlines(), strict=True)

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -95,6 +96,42 @@ def test_a_full_disk_and_a_lost_reader_are_judge_errors(data: Path, source) -> N
     assert "Traceback" not in done.stderr
     with Path("/dev/full").open("w") as full:
         assert run(data / "none.py", stderr=full).returncode == 2
+
+
+@pytest.fixture
+def tiny(tmp_path: Path) -> Iterator[Path]:
+    """A file system of 24 KiB for scratch files."""
+    place = tmp_path / "tiny"
+    place.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=24k", "tmpfs", place]
+    if subprocess.run(mount, capture_output=True, check=False).returncode:
+        pytest.skip("this user may not mount a file system")
+    yield place
+    subprocess.run(["umount", place], check=True)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "where", "message"),
+    [
+        ("loud.py", "print('YES ' * 9000)", "stdout", "/stdout: No space left on device"),
+        (
+            "big.cpp",
+            "char a[1 << 16] = {1}; int main() { return a[0]; }",
+            "stderr",
+            "no scratch space: expected 1024 KiB, found ",
+        ),
+    ],
+)
+def test_a_full_scratch_space_is_blamed_on_nobody_else(
+    data: Path, source, tiny: Path, name: str, text: str, where: str, message: str
+) -> None:
+    if name.endswith(".cpp") and shutil.which("g++") is None:
+        pytest.skip("g++ is not installed")
+    path = source(name, text)
+    done = run(path, "--data", data, env={**os.environ, "TMPDIR": tiny}, stdout=subprocess.PIPE)
+    assert done.returncode == 2
+    assert message in getattr(done, where)
+    assert list(tiny.iterdir()) == []
 
 
 @pytest.mark.parametrize(("closed", "status"), [("<&-", 2), (">&-", 0)])

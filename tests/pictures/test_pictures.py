@@ -1,13 +1,12 @@
 """Pictures: where polygons overlap, and the command line."""
 
-import sys
 from fractions import Fraction
 from xml.etree import ElementTree
 
 import pytest
 
 from gen.scenario import Scenario, render
-from pictures import __main__ as command
+from pictures import cli
 from pictures.draw import picture
 from pictures.overlap import overlap
 
@@ -39,15 +38,14 @@ def test_a_picture_is_well_formed_and_marks_the_touching_point():
     assert "first & last" in [element.text for element in root.iter()]
 
 
-def run(monkeypatch, *arguments):
-    monkeypatch.setattr(sys, "argv", ["pictures", *map(str, arguments)])
-    return command.main()
+def run(*arguments):
+    return cli.main([*map(str, arguments)])
 
 
-def test_show_prints_one_scenario(monkeypatch, capsys, tmp_path):
+def test_show_prints_one_scenario(capsys, tmp_path):
     file = tmp_path / "case.in"
     file.write_bytes(render([Scenario(SQUARE, (0, 0), [])] * 2))
-    assert run(monkeypatch, "show", file, 2) == 0
+    assert run("show", file, 2) == 0
     assert "case.in, scenario 2" in capsys.readouterr().out
 
 
@@ -64,13 +62,11 @@ def test_show_prints_one_scenario(monkeypatch, capsys, tmp_path):
         (None, 1, "cannot be read"),
     ],
 )
-def test_a_useless_file_gets_one_clear_line(
-    monkeypatch, capsys, tmp_path, content, number, message
-):
+def test_a_useless_file_gets_one_clear_line(capsys, tmp_path, content, number, message):
     file = tmp_path / "case.in"
     if content is not None:
         file.write_bytes(content)
-    assert run(monkeypatch, "show", file, number) == 2
+    assert run("show", file, number) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
     assert message in captured.err
@@ -78,11 +74,11 @@ def test_a_useless_file_gets_one_clear_line(
 
 
 def test_figures_are_written_only_where_they_changed(monkeypatch, capsys, tmp_path):
-    monkeypatch.setattr(command, "sample_figures", lambda: {tmp_path / "a.svg": "<svg/>\n"})
-    monkeypatch.setattr(command, "ROOT", tmp_path)
-    assert run(monkeypatch, "figures", "--check") == 1
+    monkeypatch.setattr(cli, "sample_figures", lambda: {tmp_path / "a.svg": "<svg/>\n"})
+    monkeypatch.setattr(cli, "ROOT", tmp_path)
+    assert run("figures", "--check") == 1
     assert not (tmp_path / "a.svg").exists()
-    assert run(monkeypatch, "figures") == 0
-    assert run(monkeypatch, "figures", "--check") == 0
+    assert run("figures") == 0
+    assert run("figures", "--check") == 0
     assert [path.name for path in tmp_path.iterdir()] == ["a.svg"]
     assert capsys.readouterr().out == ("a.svg is not current: run 'make figures'\ndrawn: a.svg\n")

@@ -6,10 +6,12 @@ import msgspec
 import pytest
 
 from judge.kit.paths import DATA
+from judge.kit.store import Store
 from judge.problem.cases import Case
+from judge.problem.data import load_data
 from judge.problem.declaration import load
+from judge.problem.manifest import Entry, load_manifest, save_manifest, sum_of
 from judge.problem.verdict import Verdict
-from judge.sandbox.facts import RunLimits
 from judge.sandbox.sandbox import Sandbox
 from strength.analysis import analyse
 from strength.page import page
@@ -17,47 +19,70 @@ from strength.show import as_json
 from strength.table import Matrix, Row, build
 
 PROBLEM = load()
-LIMITS = RunLimits(5.0, 512, 8)
 YES, NO = "wrong_answer/always_yes.py", "wrong_answer/always_no.py"
 AC, WA, TLE = Verdict.AC, Verdict.WA, Verdict.TLE
 
 
 @pytest.fixture
-def cases(tmp_path):
+def store(tmp_path):
+    with Store(tmp_path / "store.sqlite") as store:
+        yield store
+
+
+def case_with(directory, number, content, answer):
+    """Write a case, and return its entry of the manifest."""
+    path = directory / f"secret/small/{number}.in"
+    path.write_bytes(content)
+    path.with_suffix(".ans").write_bytes(answer)
+    return Entry("", {}, 0, 0, sum_of(content), sum_of(answer), 1, 3, 0, 1, 0)
+
+
+@pytest.fixture
+def data(tmp_path):
     """One case with the answer YES, one with NO; the programs read only the first number."""
-    made = []
-    for name, answer in (("1", "YES"), ("2", "NO")):
-        (tmp_path / f"{name}.in").write_text("1\n")
-        (tmp_path / f"{name}.ans").write_text(f"{answer}\n")
-        made.append(
-            Case(f"secret/small/{name}", "small", tmp_path / f"{name}.in", tmp_path / f"{name}.ans")
-        )
-    return made
+    (tmp_path / "secret/small").mkdir(parents=True)
+    for number, answer in (("1", b"YES\n"), ("2", b"NO\n")):
+        change(tmp_path, number, b"1\n", answer)
+    return tmp_path
 
 
-def matrix_of(cases, cache):
+def change(directory, number, content, answer):
+    entries = load_manifest(directory).cases
+    entry = case_with(directory, number, content, answer)
+    save_manifest(directory, entries | {f"secret/small/{number}": entry})
+
+
+def matrix_of(data, store, problem=PROBLEM):
     with Sandbox() as sandbox:
-        return build([YES, NO], cases, PROBLEM, LIMITS, sandbox, jobs=2, cache=cache)
+        return build([YES, NO], load_data(problem, data), problem, sandbox, store, jobs=2)
 
 
-def test_verdicts_are_judged_once_and_again_when_a_file_changes(cases, tmp_path):
-    first = matrix_of(cases, tmp_path / "kept")
+def test_verdicts_are_judged_once_and_again_when_a_file_changes(data, store):
+    first = matrix_of(data, store)
     assert [list(row.verdicts.values()) for row in first.rows] == [[AC, WA], [WA, AC]]
     assert first.judged == 4
-    again = matrix_of(cases, tmp_path / "kept")
+    again = matrix_of(data, store)
     assert (again.rows, again.judged) == (first.rows, 0)
-    cases[0].input.write_text("2\n")
-    cases[0].answer.write_text("NO\nNO\n")
-    changed = matrix_of(cases, tmp_path / "kept")
+    change(data, "1", b"2\n", b"NO\nNO\n")
+    changed = matrix_of(data, store)
     assert [list(row.verdicts.values()) for row in changed.rows] == [[WA, WA], [AC, AC]]
     assert changed.judged == 2
 
 
-def test_kept_verdicts_that_are_damaged_are_judged_again(cases, tmp_path):
-    first = matrix_of(cases, tmp_path / "kept")
-    for path in (tmp_path / "kept").iterdir():
-        path.write_bytes(b"{")
-    again = matrix_of(cases, tmp_path / "kept")
+def test_other_limits_are_judged_again(data, store):
+    matrix_of(data, store)
+    limits = msgspec.structs.replace(PROBLEM.limits, time_limit_s=6.0)
+    other = msgspec.structs.replace(PROBLEM, limits=limits)
+    assert matrix_of(data, store, other).judged == 4
+
+
+def test_kept_verdicts_that_are_damaged_are_judged_again(data, tmp_path):
+    path = tmp_path / "store.sqlite"
+    with Store(path) as store:
+        first = matrix_of(data, store)
+    path.write_bytes(b"{" * 5_000)
+    with Store(path) as store:
+        again = matrix_of(data, store)
     assert (again.rows, again.judged) == (first.rows, 4)
 
 
@@ -73,10 +98,10 @@ def made(**verdicts):
 
 
 def declared(**groups):
-    """The problem with only the groups small and large, and the submissions declared so."""
+    """The problem with only the groups small and large, and only these declarations."""
     names = {f"wrong_answer/{name}": expected for name, expected in groups.items()}
     kept = [group for group in PROBLEM.groups if group.name in ("small", "large")]
-    return msgspec.structs.replace(PROBLEM, groups=kept, submissions=names)
+    return msgspec.structs.replace(PROBLEM, groups=kept, folders={}, submissions=names)
 
 
 def test_findings():

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import contextlib
+import fcntl
 import os
 
 STDERR_BYTES = 8192
 BLOCK_BYTES = 1 << 16
+FEED_BYTES = 1 << 18  # a larger pipe: fewer turns between the keeper and the program
 
 
 class Feeder:
@@ -14,6 +16,8 @@ class Feeder:
 
     def __init__(self, source: int, pipe: int) -> None:
         self.fd = pipe
+        with contextlib.suppress(OSError):  # a user may have no right to so much
+            fcntl.fcntl(pipe, fcntl.F_SETPIPE_SZ, FEED_BYTES)
         self._source = source
         self._block = memoryview(b"")
         self._open = True
@@ -22,7 +26,7 @@ class Feeder:
         """Write what fits; return whether there is more. At the end, close the pipe."""
         while True:
             if not self._block:
-                self._block = memoryview(os.read(self._source, BLOCK_BYTES))
+                self._block = memoryview(os.read(self._source, FEED_BYTES))
             if not self._block:
                 break
             try:
@@ -82,6 +86,13 @@ class Sink:
         if fd == self._stderr_fd:
             self.stderr += block[: STDERR_BYTES - len(self.stderr)]
         else:
-            os.write(self._file, block[: max(0, self._limit - self.written)])
+            _write_all(self._file, block[: max(0, self._limit - self.written)])
         self.written += len(block)
         return bool(block)
+
+
+def _write_all(fd: int, block: bytes) -> None:
+    """Write a block; a disk that is nearly full takes only a part at first. Raises OSError."""
+    rest = memoryview(block)
+    while rest:
+        rest = rest[os.write(fd, rest) :]

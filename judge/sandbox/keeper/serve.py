@@ -42,15 +42,19 @@ def requests() -> Iterator[Request]:
 
 def answer(request: Request) -> None:
     """Serve one request: write the facts, or why there are none. Raises TimeoutError as `run`."""
-    failed = None
     reply: Facts | Failure
+    failed = None
     try:
         reply = run(request)
-    except (LaunchError, OSError) as error:
+    except LaunchError as error:
+        reply = Failure(str(error))
+    except TimeoutError as error:
         failed = error
         reply = Failure(str(error))
+    except OSError as error:
+        reply = Failure(f"{error.filename or request.stdout}: {error.strerror}")
     os.write(1, encode_reply(reply))
-    if isinstance(failed, TimeoutError):
+    if failed is not None:
         raise failed  # its processes would be counted with those of the next program
 
 

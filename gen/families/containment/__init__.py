@@ -1,0 +1,1 @@
+"""Attacks tests for intersection that miss containment: edges that cross, or vertices inside."""

@@ -1,0 +1,1 @@
+"""Attacks arithmetic that is not exact: floating point, slopes, angles, 32-bit products."""

@@ -1,0 +1,1 @@
+"""Attacks searches among the edges of large polygons: where they begin and end, what they skip."""

@@ -1,0 +1,1 @@
+"""Attacks what is carried from one scenario of a file to the next."""

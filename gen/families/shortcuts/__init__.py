@@ -1,0 +1,1 @@
+"""Attacks programs that answer from less than the whole question."""

@@ -1,0 +1,1 @@
+"""Attacks slow methods, and arrays, buffers and searches that are too small."""

@@ -1,0 +1,1 @@
+"""Attacks mistakes that nobody thought of: chance, and small worlds that leave nothing out."""

@@ -1,0 +1,1 @@
+"""Small changes of the right programs: does the data notice each?"""

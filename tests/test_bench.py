@@ -1,0 +1,35 @@
+"""Measurements: what is measured, and what is refused."""
+
+import pytest
+
+from bench import cli, launch_cost, under_load
+
+
+def test_ratios_are_printed_case_by_case(capsys):
+    assert cli.main(["sample/01-*", "sample/02-*", "--runs", "1"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines] == ["case", "sample/01-first", "sample/02-sweep"]
+    assert all(float(line.split()[-1]) > 0 for line in lines[1:])
+
+
+@pytest.mark.parametrize(
+    ("command", "arguments", "message"),
+    [
+        (cli, "--runs 0", "--runs: expected a whole number of at least 1, found '0'"),
+        (cli, "none/*", "bench: no test case matches 'none/*'"),
+        (cli, "sample/01-* --program /none", "bench: /none: No such file or directory"),
+        (launch_cost, "--runs 0", "--runs: expected a whole number of at least 1, found '0'"),
+        (under_load, "--judgings 0", "--judgings: expected a whole number of at least 1"),
+        (under_load, "--program none.py", "fairness: none.py: no such file"),
+    ],
+)
+def test_nonsense_is_refused_in_one_line(command, arguments, message, capsys):
+    assert command.main(arguments.split()) == 2
+    assert message in capsys.readouterr().err.splitlines()[-1]
+
+
+def test_a_program_that_fails_is_named(tmp_path, capsys):
+    program = tmp_path / "wrong.py"
+    program.write_text("raise SystemExit(3)")
+    assert cli.main(["sample/01-*", "--program", str(program)]) == 2
+    assert "wrong.py: exit status 3 on " in capsys.readouterr().err
