@@ -108,7 +108,7 @@ def test_a_worker_killed_in_the_middle_changes_nothing(
     assert nothing_left(scratch)
 
 
-def test_jobs_and_compile_errors_can_be_pickled(source: Source, data: Path) -> None:
+def test_a_job_and_what_a_worker_returns_can_be_pickled(source: Source, data: Path) -> None:
     job = Job(read_submission(source("echo.py", ECHO)), PROBLEM, without_wall=True)
     copy = pickle.loads(pickle.dumps(job))
     assert copy == job
