@@ -82,14 +82,12 @@ class Rng:
 
         Source: Knuth, The Art of Computer Programming, vol. 2, 3.4.2, algorithm S.
         """
-        left = len(items)
-        if size > left:
-            raise ValueError(f"subset: expected at most {left} items, found {size}")
+        if size > len(items):
+            raise ValueError(f"subset: expected at most {len(items)} items, found {size}")
         taken: list[T] = []
-        random_ = self._random
-        for item in items:
+        random_, take = self._random, taken.append
+        for left, item in zip(range(len(items), 0, -1), items, strict=True):
             if random_() * left < size:
-                taken.append(item)
+                take(item)
                 size -= 1
-            left -= 1
         return taken

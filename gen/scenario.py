@@ -9,7 +9,7 @@ from itertools import chain
 from gen.geometry import Point, Polygon, translated
 from gen.rng import Rng
 
-LIMIT = 100_000_000  # |x|, |y| of everything; the validator proves it against problem.toml
+LIMIT = 100_000_000  # most |x| and |y|; the validator checks every file against problem.toml
 
 Box = tuple[int, int, int, int]  # left, bottom, right, top
 
@@ -30,6 +30,23 @@ class Scenario:
     def vertices(self) -> int:
         """The number of vertices, robot and obstacles together."""
         return len(self.robot) + sum(map(len, self.obstacles))
+
+
+@dataclass(frozen=True, slots=True)
+class Disguise:
+    """The same question in another dress, to be placed in the world by `moved`.
+
+    symmetry: quarter turns, and whether there is a reflection after them. starts: with which
+    vertex each polygon begins after that, the robot first. known_box: its bounds.
+    """
+
+    scenario: Scenario
+    symmetry: tuple[int, bool]
+    starts: list[int]
+    known_box: Box
+
+
+Scene = Scenario | Disguise
 
 
 def render(scenarios: Iterable[Scenario]) -> bytes:
@@ -64,7 +81,7 @@ def _polygon(numbers: Iterator[int], n: int) -> Polygon:
     return [(next(numbers), next(numbers)) for _ in range(n)]
 
 
-def bounds(scenario: Scenario) -> Box:
+def bounds(scenario: Scene) -> Box:
     """Return (left, bottom, right, top) of everything, the robot's end included.
 
     O(vertices) once for each scenario.
@@ -83,19 +100,21 @@ def bounds(scenario: Scenario) -> Box:
     return left, bottom, right, top
 
 
-def fits(scenario: Scenario) -> bool:
+def fits(scenario: Scene) -> bool:
     """Tell whether everything fits the coordinate limit after some translation."""
     left, bottom, right, top = bounds(scenario)
     return right - left <= 2 * LIMIT and top - bottom <= 2 * LIMIT
 
 
-def moved(scenario: Scenario, by: Point) -> Scenario:
+def moved(scenario: Scene, by: Point) -> Scenario:
     """Return the whole scene translated."""
+    if isinstance(scenario, Disguise):
+        return _dressed(scenario, by)
     obstacles = [translated(obstacle, by) for obstacle in scenario.obstacles]
     return Scenario(translated(scenario.robot, by), scenario.move, obstacles)
 
 
-def into_corner(rng: Rng, scenario: Scenario) -> Scenario:
+def into_corner(rng: Rng, scenario: Scene) -> Scenario:
     """Return the scene pushed into a random corner of the world: |x| = |y| = LIMIT occur."""
     left, bottom, right, top = bounds(scenario)
     dx = rng.choice((-LIMIT - left, LIMIT - right))
@@ -103,7 +122,7 @@ def into_corner(rng: Rng, scenario: Scenario) -> Scenario:
     return moved(scenario, (dx, dy))
 
 
-def settled(rng: Rng, scenario: Scenario, *, corner: bool) -> Scenario:
+def settled(rng: Rng, scenario: Scene, *, corner: bool) -> Scenario:
     """Return the scene somewhere near the origin but inside the world, or in a corner of it."""
     if corner:
         return into_corner(rng, scenario)
@@ -116,7 +135,7 @@ def settled(rng: Rng, scenario: Scenario, *, corner: bool) -> Scenario:
     return moved(scenario, (x + rng.between(-play_x, play_x), y + rng.between(-play_y, play_y)))
 
 
-def disguised(rng: Rng, scenario: Scenario, *, reorder: bool = True) -> Scenario:
+def disguised(rng: Rng, scenario: Scenario, *, reorder: bool = True) -> Disguise:
     """Return the same question in another dress.
 
     One of the eight symmetries of the grid, or of sixteen with start and end of the
@@ -124,37 +143,39 @@ def disguised(rng: Rng, scenario: Scenario, *, reorder: bool = True) -> Scenario
     come in random order.
     """
     robot, move, obstacles = scenario.robot, scenario.move, list(scenario.obstacles)
+    left, bottom, right, top = bounds(scenario)
     if rng.chance(0.5):
         robot, move = translated(robot, move), (-move[0], -move[1])
-    turns, mirror = rng.below(4), rng.chance(0.5)
+    symmetry = rng.below(4), rng.chance(0.5)
     if reorder:
         rng.shuffle(obstacles)
-    turned = SYMMETRIES[turns, mirror]
-    (move,) = turned([move])
-    left, bottom, right, top = bounds(scenario)
-    (x, y), (other_x, other_y) = turned([(left, bottom), (right, top)])
-    return Scenario(
-        _rotated_start(rng, turned(robot)),
-        move,
-        [_rotated_start(rng, turned(obstacle)) for obstacle in obstacles],
-        (min(x, other_x), min(y, other_y), max(x, other_x), max(y, other_y)),
-    )
+    starts = [rng.below(len(polygon)) for polygon in (robot, *obstacles)]
+    (x, y), (other_x, other_y) = SYMMETRIES[symmetry]([(left, bottom), (right, top)], 0, 0)
+    box = min(x, other_x), min(y, other_y), max(x, other_x), max(y, other_y)
+    return Disguise(Scenario(robot, move, obstacles), symmetry, starts, box)
 
 
-# By quarter turns and whether there is a reflection after them; all keep counter-clockwise order.
-SYMMETRIES: dict[tuple[int, bool], Callable[[Polygon], Polygon]] = {
-    (0, False): lambda polygon: polygon,
-    (1, False): lambda polygon: [(-y, x) for x, y in polygon],
-    (2, False): lambda polygon: [(-x, -y) for x, y in polygon],
-    (3, False): lambda polygon: [(y, -x) for x, y in polygon],
-    (0, True): lambda polygon: [(-x, y) for x, y in reversed(polygon)],
-    (1, True): lambda polygon: [(y, x) for x, y in reversed(polygon)],
-    (2, True): lambda polygon: [(x, -y) for x, y in reversed(polygon)],
-    (3, True): lambda polygon: [(-y, -x) for x, y in reversed(polygon)],
+def _dressed(disguise: Disguise, by: Point) -> Scenario:
+    """Return the disguised scene, translated, in one pass over its vertices."""
+    turned, (dx, dy) = SYMMETRIES[disguise.symmetry], by
+    scenario = disguise.scenario
+    polygons = [turned(polygon, dx, dy) for polygon in (scenario.robot, *scenario.obstacles)]
+    for index, start in enumerate(disguise.starts):
+        if start:
+            polygons[index] = polygons[index][start:] + polygons[index][:start]
+    (move,) = turned([scenario.move], 0, 0)
+    return Scenario(polygons[0], move, polygons[1:])
+
+
+# By quarter turns and whether there is a reflection after them: each turns a polygon so, then
+# translates it by (a, b). All keep it counter-clockwise.
+SYMMETRIES: dict[tuple[int, bool], Callable[[Polygon, int, int], Polygon]] = {
+    (0, False): lambda polygon, a, b: [(a + x, b + y) for x, y in polygon],
+    (1, False): lambda polygon, a, b: [(a - y, b + x) for x, y in polygon],
+    (2, False): lambda polygon, a, b: [(a - x, b - y) for x, y in polygon],
+    (3, False): lambda polygon, a, b: [(a + y, b - x) for x, y in polygon],
+    (0, True): lambda polygon, a, b: [(a - x, b + y) for x, y in reversed(polygon)],
+    (1, True): lambda polygon, a, b: [(a + y, b + x) for x, y in reversed(polygon)],
+    (2, True): lambda polygon, a, b: [(a + x, b - y) for x, y in reversed(polygon)],
+    (3, True): lambda polygon, a, b: [(a - y, b - x) for x, y in reversed(polygon)],
 }
-
-
-def _rotated_start(rng: Rng, polygon: Polygon) -> Polygon:
-    """Return the same polygon written down from a random vertex."""
-    start = rng.below(len(polygon))
-    return polygon[start:] + polygon[:start]

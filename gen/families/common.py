@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Annotated
+from typing import Annotated, TypeVar
 
 from gen.families.registry import FamilyError, OneOf
 from gen.geometry import Point, Polygon, minus, primitive
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised, fits, settled
+from gen.scenario import Disguise, Scenario, disguised, fits, settled
 from gen.shapes.convex import arc, box, in_box, near_circle, needle, random_convex
 from gen.shapes.edges import directions
 
 _MOST_TRIES = 10_000
+
+S = TypeVar("S", Scenario, Disguise)
 
 ROBOTS = ("circle", "random", "arc")
 DECIDING = ("none", "any", "last", "pairs")
@@ -87,10 +89,10 @@ def turns(rng: Rng, deciding: str, scenarios: int) -> list[str]:
     return shuffled
 
 
-def fitting(make: Callable[[], Scenario | None], tries: int, otherwise: str) -> Scenario:
-    """Return the first scene that `make` does not give up (None) and that fits the world.
+def fitting(make: Callable[[], S | None], tries: int, otherwise: str) -> S:
+    """Return the first scene of `make` that is one (not None) and fits the world.
 
-    FamilyError says `otherwise` after so many tries.
+    Raises FamilyError with the message `otherwise` after so many tries.
     """
     for _ in range(tries):
         scenario = make()
@@ -107,11 +109,11 @@ def filled(
     scenarios: int,
     corner: bool | int,
 ) -> Iterator[Scenario]:
-    """Yield the scenes of `make`, disguised, until a file is full: so many vertices or scenarios.
+    """Yield the scenes of `make`, disguised, until a file has so many vertices or scenarios.
 
-    What `make` gives up (None), and what does not fit the world, is tried again.
+    If `make` gives up (None), or a scene does not fit the world, the next one is tried.
     corner: push each scene into a corner of the world, so that the limit is reached.
-    FamilyError when it is hopeless.
+    Raises FamilyError after too many tries in a row.
     """
     tries = 0
     while scenarios > 0:

@@ -100,13 +100,20 @@ FAMILIES: dict[str, Family] = {}  # filled once, by the decorator, while gen.fam
 def family(make: Maker) -> Maker:
     """Register a function as the family of its name; its docstring's first line sums it up.
 
-    Keyword parameters carry their domain in their annotation and have a default.
+    Every keyword parameter has a default, and an annotation that says which values it may
+    have. Raises ValueError if not, or if the name is taken.
     """
     hints: dict[str, Any] = get_type_hints(make, include_extras=True)
     parameters = [p for p in inspect.signature(make).parameters.values() if p.name != "rng"]
     name = make.__name__
     if name in FAMILIES and FAMILIES[name].make.__module__ != make.__module__:
         raise ValueError(f"family {name}: defined in {make.__module__} and before")
+    for parameter in parameters:
+        if parameter.default is parameter.empty or len(get_args(hints[parameter.name])) < 2:
+            raise ValueError(
+                f"family {name}: parameter {parameter.name}: expected a default, and an "
+                "annotation of its values, such as Scenarios"
+            )
     FAMILIES[name] = Family(
         name=name,
         room=_room(make.__module__),

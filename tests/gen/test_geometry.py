@@ -1,5 +1,6 @@
 """The generators' own geometry, against slower twins."""
 
+from itertools import pairwise
 from math import gcd
 
 import pytest
@@ -19,8 +20,16 @@ from gen.geometry import (
 )
 from gen.geometry.decompose import convex_pieces
 from gen.rng import Rng
+from gen.scenario import LIMIT, Scenario, bounds, disguised, moved, settled
 from gen.shapes.convex import arc, in_box, many_gon, near_circle, needle, random_convex
-from gen.shapes.edges import angle_key, directions
+from gen.shapes.edges import (
+    angle_key,
+    closed,
+    directions,
+    directions_from,
+    number_of_directions,
+)
+from gen.shapes.grids import grid_polygons
 
 SEEDS = st.integers(0, 10**9)
 VECTORS = st.tuples(st.integers(-50, 50), st.integers(-50, 50)).filter(any)
@@ -79,6 +88,60 @@ def test_directions_are_all_primitive_vectors_by_angle(reach):
     assert set(found) == {(x, y) for x in span for y in span if gcd(x, y) == 1}
     keys = [angle_key(v) for v in found]
     assert keys == sorted(set(keys))
+
+
+@pytest.mark.parametrize("reach", [1, 2, 3, 7, 20])
+def test_some_of_the_directions_are_made_as_in_all_of_them(reach):
+    every = directions(reach)
+    assert number_of_directions(reach) == len(every)
+    for start in range(0, len(every), 1 + len(every) // 50):
+        for count in (0, 1, 5, len(every)):
+            assert directions_from(reach, start, count) == list((every + every)[start:][:count])
+
+
+@given(SEEDS, st.integers(2, 30))
+def test_edges_are_closed_to_a_convex_polygon(seed, n):
+    edges = Rng(seed).subset(directions(4), n)
+    polygon = closed(edges)
+    if polygon:
+        assert is_strictly_convex(polygon)
+        assert polygon[0] == (0, 0) == min(polygon, key=lambda v: (v[1], v[0]))
+        found = [(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(polygon)]
+        found.append((-polygon[-1][0], -polygon[-1][1]))
+        assert len({primitive(edge) for edge in [*found, *edges]}) <= len(edges) + 1
+    else:
+        assert all(cross(edges[0], edge) == 0 for edge in edges)
+
+
+def test_all_polygons_of_a_small_grid_are_there():
+    assert len(grid_polygons(2)) == 5
+    polygons = grid_polygons(3)
+    assert len(polygons) == len(set(map(tuple, polygons))) == 168
+    assert all(map(is_strictly_convex, polygons))
+
+
+@given(SEEDS)
+def test_several_draws_are_those_of_one_after_the_other(seed):
+    rng = Rng(seed)
+    assert Rng(seed).several(20, -7, 5) == [rng.between(-7, 5) for _ in range(20)]
+
+
+@given(SEEDS, st.booleans())
+def test_a_disguised_scene_asks_the_same_question(seed, corner):
+    rng = Rng(seed)
+    robot, obstacle = in_box(rng, 6, 6), translated(in_box(rng, 6, 6), (rng.below(9), 3))
+    scenario = Scenario(robot, (rng.between(-9, 9), rng.between(-9, 9)), [obstacle])
+    disguise = disguised(rng, scenario)
+    assert bounds(disguise) == bounds(moved(disguise, (0, 0)))
+    placed = settled(rng, disguise, corner=corner)
+    for polygon, original in zip([placed.robot, *placed.obstacles], [robot, obstacle], strict=True):
+        assert is_strictly_convex(polygon)
+        assert twice_area(polygon) == twice_area(original)
+    answers = [apart(sweep(s.robot, s.move).vertices, s.obstacles[0]) for s in (scenario, placed)]
+    assert answers[0] == answers[1]
+    left, bottom, right, top = bounds(placed)
+    assert max(-left, right, -bottom, top) <= LIMIT
+    assert not corner or (LIMIT in (-left, right) and LIMIT in (-bottom, top))
 
 
 @pytest.mark.parametrize("n", [3, 4, 5, 6, 7, 12, 100, 3_000])

@@ -94,11 +94,11 @@ def containment(
     move: Move = "any",
     corner: Flag = 0,
 ) -> Iterator[Scenario]:
-    """One polygon strictly inside the other (NO), and next to it by one unit (YES).
+    """One polygon lies strictly inside the other (NO), or one unit beside it (YES).
 
-    The obstacle in the robot at the start or at the end, or in the swept area but met at
-    neither end; the robot in the obstacle all the way, or leaving it, or (as every scene
-    may be run backwards) entering it.
+    The obstacle lies in the robot at the start or at the end, or in the swept area but in
+    neither end; or the robot stays in the obstacle all the way, or leaves it, or (as every
+    scene may be run backwards) enters it.
     """
     still = move == "zero"
     kinds = [kind] if kind != "all" else list(STATIC_KINDS if still else KINDS)

@@ -29,9 +29,9 @@ def cuts(
 ) -> Iterator[Scenario]:
     """Slim obstacles cut through the sweep without a vertex inside it, or pass by.
 
-    In half of the scenes one cuts, between the very boundary and the middle; in the other
-    half all of them pass by, the nearest one lattice line away. Only a program that
-    looks at the right one of all the sweep's edges sees them.
+    In half of the scenes one of them cuts, anywhere from the boundary to the middle. In the
+    other half all pass by, the nearest one lattice line away. A program sees the difference
+    only if it looks at the right edge of the sweep.
     """
 
     def make() -> Scenario | None:

@@ -36,10 +36,10 @@ def nested(
     far: Far = 5,
     robot: Robot = "circle",
 ) -> Iterator[Scenario]:
-    """A polygon of m vertices with a triangle inside (NO), around (NO), or beside it (YES).
+    """A polygon of m vertices has a triangle inside (NO), around (NO), or beside it (YES).
 
-    Robot and obstacle in either role, the move short, or none. No edge meets another: who
-    looks at the edges only, or at some of the vertices, sees nothing.
+    Robot and obstacle take either role; the move is short, or none. No edge meets another,
+    so a program that looks at edges only, or at some of the vertices, sees nothing.
     """
     for number in range(scenarios):
 

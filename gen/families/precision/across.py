@@ -29,7 +29,7 @@ def across(
     """Robot or sweep has an edge from one end of the world to the other; one unit decides.
 
     An obstacle's vertex touches that edge, or lies on the next lattice line; its other
-    vertices are far away. Robot and obstacle may change roles when nothing moves.
+    vertices are far away. Robot and obstacle may swap roles when nothing moves.
     """
 
     def make() -> Scenario:

@@ -25,9 +25,9 @@ def beyond(
 ) -> Iterator[Scenario]:
     """A short edge stands beyond the tip of one as wide as the world, almost on its line.
 
-    Their sum has the two edges one after the other, with a cross product of one. The
-    short one reaches the tip (NO), or the next point of the grid is between (YES). The
-    move, if any, leads along the long edge to the place.
+    In their Minkowski sum the two edges follow each other with a cross product of one. The
+    short edge reaches the tip (NO), or the next point of the grid lies between (YES). The
+    move, if any, leads along the long edge to that place.
     """
 
     def make() -> Scenario | None:

@@ -25,7 +25,7 @@ def blocks(
 ) -> Iterator[Scenario]:
     """Boxes with sides of multiples of 2^15 to 2^17 touch in a corner or a side, or do not.
 
-    Products of their sides are multiples of 2^32: in 32 bits they are zero.
+    Products of their sides are multiples of 2^32, which are zero in 32 bits.
     """
 
     def make() -> Scenario:

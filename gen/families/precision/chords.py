@@ -26,8 +26,9 @@ def chords(
 ) -> Iterator[Scenario]:
     """A vertex touches the middle of an edge as wide as the world, or misses it by one unit.
 
-    There the other shape has an edge, or the robot its move, about as long and turned
-    away from it by a cross product of one: which of the two comes first decides all.
+    At that vertex begins an edge of the other shape, or the robot's move, about as long; its
+    direction differs by a cross product of one. The answer depends on which of the two comes
+    first by angle.
     """
 
     def make() -> Scenario | None:

@@ -27,9 +27,9 @@ def diagonal(
 ) -> Iterator[Scenario]:
     """Robot or sweep has an edge along almost the whole diagonal of the world, met in its middle.
 
-    An obstacle has its edge along it, as long, or a vertex near its middle: on the same
-    line, one lattice line apart, or one too far inside. There the products of
-    coordinates are largest, more than 2^53, and differ by one to six.
+    An obstacle has an edge of the same length beside it, or a vertex near its middle: on the
+    same line, one lattice line apart, or one too far inside. Products of coordinates are
+    largest there, more than 2^53, and differ by one to six.
     """
 
     def make() -> Scenario | None:

@@ -24,10 +24,10 @@ def flats(
     vertices: Vertices = 2_000,
     move: Move = "any",
 ) -> Iterator[Scenario]:
-    """The flattest corner there is, of two edges of 10^8, is touched or missed by one unit.
+    """The flattest corner of two edges of about 10^8 is touched, or missed by one unit.
 
-    Its edges are the robot's, or the robot's and the move. The cross product of one is
-    the difference of two products beyond 2^53: a hull that rounds loses the corner.
+    Its edges are the robot's, or the robot's and the move. Their cross product of one is the
+    difference of two products beyond 2^53, so a hull that rounds loses the corner.
     """
 
     def make() -> Scenario | None:

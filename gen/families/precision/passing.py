@@ -24,8 +24,8 @@ def passing(
 ) -> Iterator[Scenario]:
     """On a long move, the robot's tip passes an obstacle's, one lattice line away (YES), or not.
 
-    Both are needles square to the move: they are beside each other for a moment that is a
-    10^-8 part of it or less, so times and points on the way that are rounded miss it.
+    Both are needles square to the move. They are beside each other for 10^-8 of the move or
+    less, so a program that rounds times or points on the way misses it.
     """
 
     def make() -> Scenario | None:

@@ -28,12 +28,12 @@ def slivers(
     vertices: Vertices = 2_000,
     move: Move = "any",
 ) -> Iterator[Scenario]:
-    """Two directions of up to 10^8 units whose cross product is one: which comes first?
+    """Two directions of up to 10^8 units have a cross product of one: which comes first?
 
     One is that of a robot's edge; the other that of an obstacle's edge, reflected, or of the
-    move. The obstacle touches the corner between them, and nothing else (NO); or its vertex
-    is on the next lattice line (YES). Their angles differ by some 10^-16: floating-point
-    angles and slopes take them for equal, or the wrong way round.
+    move. The obstacle touches the corner between them and nothing else (NO), or its vertex
+    is on the next lattice line (YES). The angles differ by some 10^-16, so floating-point
+    angles and slopes are equal or in the wrong order.
     """
 
     def make() -> Scenario:

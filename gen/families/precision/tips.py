@@ -22,10 +22,10 @@ def tips(
     vertices: Vertices = 2_000,
     move: Move = "any",
 ) -> Iterator[Scenario]:
-    """Two needles on one line touch tip to tip, or are a grid point apart.
+    """Two needles on one line touch tip to tip, or are one grid point apart.
 
-    Circles around them touch as well, or nearly: a test that rounds them away is wrong.
-    The move, if any, is along the line.
+    The circles around them touch too, or nearly, so a test by rounded circles is wrong. The
+    move, if any, is along the line.
     """
 
     def make() -> Scenario | None:

@@ -23,11 +23,11 @@ def wedges(
     scenarios: Scenarios = 100_000,
     vertices: Vertices = 2_000,
 ) -> Iterator[Scenario]:
-    """Two edges as wide as the world leave one point, their directions one grid point apart.
+    """Two edges as wide as the world leave one point in almost the same direction.
 
-    The wedge between the robot's edge and the obstacle's has no room for another point of
-    the grid: slopes that differ by less than 2^-55. They touch in its corner (NO), or the
-    obstacle is one unit higher (YES). Nothing moves.
+    Between the robot's edge and the obstacle's there is no other point of the grid: their
+    slopes differ by less than 2^-55. They touch in the corner (NO), or the obstacle is one
+    unit higher (YES). Nothing moves.
     """
 
     def make() -> Scenario | None:

@@ -29,8 +29,8 @@ def facing(
 ) -> Iterator[Scenario]:
     """A polygon and its mirror image touch with one vertex each (NO), or miss by one unit.
 
-    Nothing moves. No line separates them, or only few do, and no edge meets another but
-    at that vertex: tests of one edge after the other that end early never, or hardly, do.
+    Nothing moves. Few lines separate the two, or none, and no edges meet but at that vertex.
+    Edge-by-edge tests with an early exit almost never exit early here.
     """
     for number in range(scenarios):
         shape = big_robot(rng, robot, m)

@@ -36,9 +36,10 @@ def poles(
 ) -> Iterator[Scenario]:
     """A large polygon is touched, or missed by one unit, beside its outermost vertices.
 
-    That is where walks along its edges begin and end: the two edges before and after its
-    lowest, highest, leftmost or rightmost vertex. Some have edges of several steps, touched
-    in between. In every third scene nothing moves, and the large polygon is the obstacle.
+    Contacts are at the two edges before and after its lowest, highest, leftmost or rightmost
+    vertex, where walks along the edges begin and end. Some edges are several lattice steps
+    long and are touched in between. In every third scene nothing moves, and the large
+    polygon is the obstacle.
     """
 
     def make(number: int) -> Scenario:
@@ -58,9 +59,8 @@ def poles(
         return Scenario(large, move, [little])
 
     for number in range(scenarios):
-        scenario = make(number)
-        if pole == "any":
-            scenario = disguised(rng, scenario)
+        made = make(number)
+        scenario = disguised(rng, made) if pole == "any" else made
         if not fits(scenario):
             raise FamilyError("family poles: no scene fits the world; make m or far smaller")
         yield into_corner(rng, scenario)

@@ -30,8 +30,8 @@ def rounds(
 ) -> Iterator[Scenario]:
     """Small near-circles whose edges are the shortest grid vectors touch, or miss by one unit.
 
-    One in four obstacles has a vertex in the middle between two robot vertices, half of
-    the robot apart, instead. fewest, most: vertices of each; far: of the move.
+    One in four obstacles instead has a vertex halfway between two opposite robot vertices.
+    fewest, most: vertices of each polygon; far: length of the move.
     """
 
     def shape() -> Polygon:

@@ -21,7 +21,7 @@ from gen.families.registry import (
 from gen.geometry import Polygon, step_right, sweep, translated
 from gen.geometry.contact import Support, vertex_support
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised, into_corner
+from gen.scenario import Disguise, Scenario, disguised, into_corner
 
 TRIES = 20
 
@@ -38,15 +38,15 @@ def tangents(
     robot: Robot = "circle",
     deciding: Deciding = "pairs",
 ) -> Iterator[Scenario]:
-    """Triangles with an edge of about `length` that is tangent to the sweep at one vertex.
+    """Triangles have an edge of about `length` that is tangent to the sweep at one vertex.
 
-    All around, each misses by one unit, but the deciding one (see `hugging`). The
-    vertices of such an edge are far off, its box and every window of coordinates are
-    full of the sweep's edges, and only a search by angle finds the one that matters.
+    They stand all around the sweep and miss it by one unit, but for the deciding one (see
+    `hugging`). The ends of such an edge are far off, and its bounding box holds many edges of
+    the sweep, so only a search by angle finds the vertex that matters.
     """
     for who in turns(rng, deciding, scenarios):
 
-        def make(who: str = who) -> Scenario:
+        def make(who: str = who) -> Disguise:
             return _with_tangents(rng, big_robot(rng, robot, m), obstacles, far, length, who)
 
         too_large = "family tangents: no scene fits the world; make it smaller"
@@ -55,7 +55,7 @@ def tangents(
 
 def _with_tangents(
     rng: Rng, robot: Polygon, count: int, far: int, length: int, who: str
-) -> Scenario:
+) -> Disguise:
     move = any_vector(rng, far) if far else (0, 0)
     covered = sweep(robot, move)
     n = len(covered.vertices)

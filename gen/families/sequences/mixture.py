@@ -40,9 +40,9 @@ def mixture(
 ) -> Iterator[Scenario]:
     """Scenes of many families and scales in turn, `empty` per cent of them without obstacles.
 
-    The larger the file, the larger its largest scenes, up to some 500 vertices. It is
-    filled to exactly `vertices` (if there may be as many scenarios): the last robot, without
-    obstacles, has all that is left.
+    The larger the file, the larger its largest scenes, up to some 500 vertices. The last
+    robot, without obstacles, fills the file to exactly `vertices`, if there may be as many
+    scenarios.
     """
     makers = _makers(rng, vertices, move)
     left = vertices

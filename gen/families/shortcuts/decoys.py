@@ -62,8 +62,8 @@ def decoys(
 ) -> Iterator[Scenario]:
     """One obstacle that a wrong idea of the swept area judges wrongly, with both answers.
 
-    idea: what the wrong program looks at. Both ends or one of them; the way back
-    (behind) or further (beyond); the bounding box; the mirrored robot; dx and dy swapped.
+    idea: what the wrong program looks at: both ends or one of them; the way back (behind) or
+    a longer way (beyond); the bounding box; the mirrored robot; dx and dy swapped.
     """
     ideas = [idea] if idea != "all" else list(STATIC_IDEAS if move == "zero" else IDEAS)
 

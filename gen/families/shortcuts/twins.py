@@ -29,7 +29,7 @@ def twins(
 ) -> Iterator[Scenario]:
     """The obstacle equals the robot: at its start or end, on the way, or beside it by one unit.
 
-    Programs that know shapes by their form, or skip what they think is the robot, fail.
+    Programs fail that recognise shapes by their form, or skip what they take for the robot.
     """
 
     def make() -> Scenario:

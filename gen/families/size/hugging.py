@@ -20,12 +20,10 @@ from gen.families.registry import (
 from gen.geometry import Polygon, Sweep, step_right, sweep
 from gen.geometry.contact import Pair, Support, edge_support, pair, vertex_support
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised, into_corner
+from gen.scenario import Disguise, Scenario, disguised, into_corner
 from gen.shapes.convex import in_box, near_circle, random_convex
 
 TRIES = 4
-
-
 LONG = 1_000_000  # no obstacle lies flat along a direction longer than this
 
 
@@ -69,17 +67,17 @@ def hugging(
     flat: Annotated[int, Between(0, 100_000)] = 0,
     deciding: Deciding = "pairs",
 ) -> Iterator[Scenario]:
-    """Obstacles of n vertices hug the sweep all around; `deciding` tells which one touches.
+    """Obstacles of n vertices surround the sweep closely; `deciding` tells which one touches.
 
-    Half of them are placed at an edge of the sweep, half at a vertex. With flat >= 1
-    every other one is a triangle that faces the sweep with an edge of up to so many
-    lattice steps. Everything lies in a corner of the world. far 0: nothing moves. deciding:
-    none; any; the last; pairs: in half of the scenes none, in half any.
+    Half of them are placed at an edge of the sweep, half at a vertex. With flat >= 1 every
+    other one is a triangle that faces the sweep with an edge of up to `flat` lattice steps.
+    Everything lies in a corner of the world. far 0: nothing moves. deciding: none; any; the
+    last; pairs: none in half of the scenes, any in the other half.
     """
     shapes = obstacle_shapes(rng, n, obstacles)
     for who in turns(rng, deciding, scenarios):
 
-        def make(who: str = who) -> Scenario:
+        def make(who: str = who) -> Disguise:
             return _hugged(rng, big_robot(rng, robot, m), obstacles, shapes, far, flat, who)
 
         too_large = "family hugging: no scene fits the world; make far, m or n smaller"
@@ -88,7 +86,7 @@ def hugging(
 
 def _hugged(
     rng: Rng, robot: Polygon, count: int, shapes: list[Polygon], far: int, flat: int, who: str
-) -> Scenario:
+) -> Disguise:
     move = any_vector(rng, far) if far else (0, 0)
     covered = sweep(robot, move)
     pairs: list[Pair] = []

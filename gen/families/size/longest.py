@@ -19,8 +19,8 @@ from gen.shapes.convex import in_box
 def longest(rng: Rng, *, scenarios: Scenarios = 100) -> Iterator[Scenario]:
     """Triangles in the lower left corner of the world, moves to the opposite corner.
 
-    Nearly every number has as many digits as it can have: so many bytes a vertex that a
-    buffer made for less is too small.
+    Nearly every number has as many digits as it can have, so the file has as many bytes as
+    its vertices permit, and a buffer made for less is too small.
     """
     for _ in range(scenarios):
         while True:

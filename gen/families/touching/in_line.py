@@ -29,9 +29,9 @@ def in_line(
 ) -> Iterator[Scenario]:
     """Sweep and obstacle stand on one line, on its two sides, one beyond the other's end.
 
-    Each has an edge or a vertex there. They share a point or more of the line (NO), or
-    the next point of the grid is between them (YES). The move is none, along the line,
-    or away from it. reach: of the line's direction; size: how wide the shapes are.
+    Each has an edge or a vertex there. They share a point or more of the line (NO), or the
+    next point of the grid lies between them (YES). The move is none, along the line, or away
+    from it. reach: size of the line's direction; size: how wide the shapes are.
     """
 
     def make() -> Scenario:

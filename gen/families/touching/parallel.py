@@ -32,10 +32,10 @@ def parallel(
     move: Move = "any",
     corner: Flag = 0,
 ) -> Iterator[Scenario]:
-    """Edges (but for the closing ones) and the move share few directions and their opposites.
+    """All edges (but the closing ones) and the move share few directions and their opposites.
 
-    `bundle` directions with coordinates up to `reach` and lengths up to `stretch`.
-    One obstacle touches, or all of them miss by one unit.
+    `bundle` directions with coordinates up to `reach` and lengths up to `stretch`. One
+    obstacle touches, or all of them miss by one unit.
     """
 
     def make() -> Scenario:

@@ -140,9 +140,9 @@ def rooms(
 ) -> Iterator[Scenario]:
     """Non-convex rooms, stars and mazes: the robot stops at the last free step, or one later.
 
-    The obstacles are cut into convex pieces; everything is mapped by a random integer
-    matrix with entries up to `shear`, so that walls go in any direction. Without a move
-    the robot itself was carried to where it stands.
+    The obstacles are cut into convex pieces. A random integer matrix with entries up to
+    `shear` maps everything, so that walls go in any direction. Without a move, the robot
+    stands where it would have stopped.
     """
     kinds = [kind] if kind != "all" else list(KINDS)
 

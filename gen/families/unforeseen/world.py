@@ -12,7 +12,7 @@ from typing import Annotated
 from gen.families.registry import Between, OneOf, Scenarios, Vertices, family
 from gen.geometry import Point, Polygon, translated
 from gen.rng import Rng
-from gen.scenario import Scenario, disguised
+from gen.scenario import Scenario, disguised, moved
 from gen.shapes.grids import grid_polygons
 
 
@@ -40,10 +40,10 @@ def world(
 ) -> Iterator[Scenario]:
     """A complete small world, or random different scenes of it, one obstacle each.
 
-    Every pair of strictly convex polygons in a box of `grid`, up to translation; every
-    move with |dx|, |dy| <= far; every place of the obstacle at which the boxes of the
-    sweep and the obstacle have a point in common. Each scene comes in a random dress (one
-    of its symmetries). order all: one after the other, as many as fit; random: some.
+    Every pair of strictly convex polygons in a box of `grid`, up to translation; every move
+    with |dx|, |dy| <= far; every place of the obstacle where its bounding box meets that of
+    the sweep. A random symmetry of the grid is applied to each scene. order all: one after
+    the other, as many as fit; random: a random selection.
     """
     shapes = shapes_of(grid)
     moves = [(dx, dy) for dx in range(-far, far + 1) for dy in range(-far, far + 1)]
@@ -52,7 +52,7 @@ def world(
         vertices -= scenario.vertices
         if vertices < 0:
             return
-        yield disguised(rng, scenario)
+        yield moved(disguised(rng, scenario), (0, 0))
 
 
 def _every(shapes: list[Polygon], moves: list[Point]) -> Iterator[Scenario]:

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import contextlib
-import fcntl
 import os
 
 STDERR_BYTES = 8192
 BLOCK_BYTES = 1 << 16
-FEED_BYTES = 1 << 18  # a larger pipe: fewer turns between the keeper and the program
 
 
 class Feeder:
@@ -16,8 +14,6 @@ class Feeder:
 
     def __init__(self, source: int, pipe: int) -> None:
         self.fd = pipe
-        with contextlib.suppress(OSError):  # a user may have no right to so much
-            fcntl.fcntl(pipe, fcntl.F_SETPIPE_SZ, FEED_BYTES)
         self._source = source
         self._block = memoryview(b"")
         self._open = True
@@ -26,7 +22,7 @@ class Feeder:
         """Write what fits; return whether there is more. At the end, close the pipe."""
         while True:
             if not self._block:
-                self._block = memoryview(os.read(self._source, FEED_BYTES))
+                self._block = memoryview(os.read(self._source, BLOCK_BYTES))
             if not self._block:
                 break
             try:
