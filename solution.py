@@ -11,15 +11,15 @@ Seen from below, a convex polygon is its *floor*: the chain of vertices from the
 leftmost to the rightmost, with growing slopes. The floor of a sum is the two
 floors merged by slope. So the edge of it that spans x = 0 is found without
 merging: bisect the floor of Q; at each vertex q that is tried, the edge of -S
-at x = -q.x is found by bisecting its x, and which of the two edges comes first
-in the merge tells on which side of q to go on. What remains is one edge of Q,
-and the vertex of -S that it is merged at: a bisection of the slopes.
+at x = -q.x is found by bisecting its x. Which of the two edges comes first in the
+merge tells on which side of q to go on. One edge of Q remains; a bisection of the
+slopes finds the vertex of -S at which it is merged.
 
 The ceiling of a polygon is the floor of its reflection in the origin, so one
 set of functions does for both.
 
-Time: O(m + n1 + n2 + ...) plain list copies, made by slicing, and per obstacle
-of n vertices O(log n * log m) steps that are really computed. Memory: O(M + N).
+Time: O(m + n1 + n2 + ...) for copying lists by slicing, which is fast, and for each
+obstacle of n vertices O(log n * log m) steps of computation. Memory: O(M + N).
 No sort: floors are found by rotating the given counter-clockwise order.
 """
 
@@ -74,7 +74,7 @@ class Sweep:
 
     @cached_property
     def floor(self) -> "Floor":
-        """What is seen from below."""
+        """The floor of the sweep."""
         xs, ys = self.robot
         low, high = floor_ends(xs, self.robot_left, self.robot_right)
         return swept_floor(chain(xs, low, high), chain(ys, low, high), *self.move, self.k)

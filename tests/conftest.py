@@ -1,4 +1,4 @@
-"""What holds for all tests."""
+"""Set-up for all tests: they can interrupt what they start."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_configure() -> None:
-    # What is started in the background (`make test &`, some CI runners) ignores SIGINT, and so
-    # would all that the tests start, also where a test interrupts it to see it stop.
+    # A process started in the background (`make test &`, some CI runners) ignores SIGINT, and its
+    # children inherit that. Tests interrupt their children and expect them to stop.
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -1,4 +1,4 @@
-"""Measurements: what is measured, and what is refused."""
+"""The commands of bench: what they print, and which arguments they refuse."""
 
 import pytest
 

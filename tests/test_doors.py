@@ -13,7 +13,7 @@ FILES = ("checker.py", "bench/fairness.py", "bench/overhead.py")
 
 
 def outside():
-    """A Python that is not of the kit's environment, as a user's may be."""
+    """Return a Python outside the kit's environment, as a user may have; None if there is none."""
     for place in (sys.base_prefix, "/usr", "/usr/local"):
         python = Path(place) / "bin" / "python3"
         if python.exists() and not python.is_relative_to(ROOT):
@@ -22,7 +22,7 @@ def outside():
 
 
 def helped(*arguments, directory):
-    """Run a command with another Python than the kit's; return what it says."""
+    """Run a command with a Python other than the kit's; return its help."""
     python = outside()
     if python is None or not (ROOT / ".venv").is_dir():
         pytest.skip("no Python outside of the kit's environment, or no environment")

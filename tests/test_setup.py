@@ -1,4 +1,4 @@
-"""The doors of the kit can be read by Pythons that are too old to go through them."""
+"""An old Python can parse every file that a user starts, and says which Python is needed."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ OLD = next((p for v in range(6, 11) if (p := shutil.which(f"python3.{v}"))), Non
 
 
 @pytest.mark.parametrize("name", [*DOORS, "tools/setup.py"])
-def test_an_old_python_can_read_it(name: str) -> None:
+def test_an_old_python_can_parse_it(name: str) -> None:
     text = (ROOT / name).read_text()
     tree = ast.parse(text, feature_version=(3, 7))
     postponed = "from __future__ import annotations" in text

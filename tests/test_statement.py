@@ -1,4 +1,4 @@
-"""The statement says what problem.toml and the samples say."""
+"""The statement agrees with problem.toml, the samples and the figures."""
 
 import re
 
@@ -27,11 +27,11 @@ def test_the_groups_table():
 
 
 @pytest.mark.parametrize("group", PROBLEM.groups, ids=lambda group: group.name)
-def test_a_promise_says_what_the_validator_is_told(group):
+def test_a_promise_states_the_limits_that_the_validator_checks(group):
     assert ("0 0" in group.promise) == group.zero_displacement
     numbers = {int(n.replace(",", "")) for n in re.findall(r"\d[\d,]{3,}", group.promise)}
-    told = {group.max_vertices, group.max_pair_sum} - {None}
-    assert numbers == told or group.name == "sample"
+    checked = {group.max_vertices, group.max_pair_sum} - {None}
+    assert numbers == checked or group.name == "sample"
 
 
 def test_the_constraints_table():
@@ -56,7 +56,7 @@ def test_there_are_samples_and_the_statement_shows_them_all():
 
 
 @pytest.mark.parametrize("sample", SAMPLES, ids=lambda sample: sample.stem)
-def test_a_sample_stands_in_the_statement(sample):
+def test_a_sample_is_shown_as_it_is(sample):
     shown = (
         f"Input:\n\n```\n{sample.read_text()}```\n\n"
         f"Output:\n\n```\n{sample.with_suffix('.ans').read_text()}```\n"

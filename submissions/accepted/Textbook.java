@@ -1,4 +1,4 @@
-// The textbook method: one Minkowski sum per obstacle, and the origin looked for in it.
+// The textbook method: one Minkowski sum per obstacle, and a test whether it holds the origin.
 //
 // The robot P moves by d. What it covers on the way is its sweep, and the sweep is a
 // Minkowski sum itself: P + s, with s the segment from (0, 0) to d. A point of the sweep
@@ -15,13 +15,13 @@ import java.io.InputStream;
 import java.util.Arrays;
 
 public class Textbook {
-    /** A convex polygon, counter-clockwise, from its lowest, then leftmost vertex on. */
+    /** A convex polygon, counter-clockwise, starting at its lowest, then leftmost vertex. */
     record Polygon(long[] x, long[] y) {
         int size() {
             return x.length;
         }
 
-        /** Tell the polygon of the given vertices from its lowest one on. O(n). */
+        /** Make a polygon of the given vertices, starting at the lowest one. O(n). */
         static Polygon of(long[] x, long[] y) {
             int n = x.length;
             int lowest = 0;

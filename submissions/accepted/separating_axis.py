@@ -1,18 +1,19 @@
 #!/usr/bin/env python3
 """Separating axis, found by cutting caps: no chains are merged, no sum is walked.
 
-The sweep S misses an obstacle Q if and only if some line separates them; that is, if
-and only if some direction's outermost point of the difference D = Q - S (which lies
-beyond a chord, away from D) still has the origin strictly outside.
+The sweep S misses an obstacle Q if and only if some line separates them: if and only
+if, in some direction, the origin lies strictly farther out than every point of the
+difference D = Q - S.
 
-Two outermost points a, b of D with the origin on the right of the chord a -> b leave
-a cap of D beyond the chord. Let p be the point of D farthest out there (the tangent
-parallel to the chord). Either the origin is beyond p's tangent: separated. Or it is in
-the triangle a p b: they meet. Or it is beyond one of the chords a -> p, p -> b, which
-has a smaller cap. Every cut leaves a cap of at most a quarter of the area, in which
-the grid soon has no room: about 30 cuts at most, mostly three to eight.
+Let a, b be two outermost points of D such that the origin is on the right of the chord
+a -> b. The chord cuts off a cap of D, on the side of the origin. Let p be the point of
+the cap that is farthest from the chord. Either the origin is beyond the tangent at p,
+which is parallel to the chord: S and Q are separated. Or it is in the triangle a p b:
+they meet. Or it is beyond one of the chords a -> p, p -> b, which cuts off a smaller
+cap. Every cut leaves a cap of at most a quarter of the area, which is soon too small
+to hold an integer point: about 30 cuts at most, mostly three to eight.
 
-The outermost point of D is that of Q less the opposite one of S. Both come from a
+The outermost point of D is that of Q minus the opposite one of S. Both are found by
 binary search among the polygon's edges by angle; few vertices are simply tried.
 
 Time: O(m) per robot, and O((log m + min(n, log n)) * cuts) + O(n) per obstacle.
@@ -112,7 +113,7 @@ def farthest_search(xs, ys):
         return farthest_of_few
 
     # From the lowest, leftmost vertex on, the edges' angles grow from 0 to 360 degrees;
-    # that vertex is farthest which the edges turn past the direction w at.
+    # the farthest vertex is the one where they turn past the direction w.
     xs, ys = from_lowest(xs, ys)
     keys = [angle_key(xs[i + 1] - xs[i], ys[i + 1] - ys[i]) for i in range(n)]
 
@@ -143,7 +144,7 @@ def edges_at_height(xs, ys):
 
 
 def from_lowest(xs, ys):
-    """Return the polygon from its lowest, then leftmost vertex on, that one at the end again."""
+    """Return the polygon from its lowest, then leftmost, vertex round to that vertex again."""
     lowest = min(ys)
     start = min((i for i, y in enumerate(ys) if y == lowest), key=xs.__getitem__)
     return xs[start:] + xs[: start + 1], ys[start:] + ys[: start + 1]

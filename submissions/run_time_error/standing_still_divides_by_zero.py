@@ -22,7 +22,7 @@ def main():
         answer = "YES"
         for _ in range(k):
             obstacle, at = read_polygon(numbers, at + 1, numbers[at])
-            # After the first collision the rest is read, but not looked at.
+            # After the first collision, the other obstacles are only read.
             offsets = [ux * y - uy * x for x, y in obstacle]
             beside = max(offsets) < min(lane) or max(lane) < min(offsets)
             if answer == "YES" and not beside and touch(sweep, obstacle):

@@ -1,4 +1,4 @@
-// The naive way with bounding boxes: what lies apart by its box is not looked at.
+// The naive way with bounding boxes: pairs whose boxes do not meet are skipped.
 //
 // An obstacle is skipped when its box misses the sweep's, and an edge or a trail when its box
 // misses that of all it is compared with. The rest are the rays of brute_force.cpp. Boxes

@@ -65,8 +65,8 @@ struct Entry {
     bool of_first;
 };
 
-// Does a segment of the one set meet one of the other? Those the line has passed are dropped
-// from the lists of the open ones when they are seen there.
+// Does a segment of one set meet one of the other? The lists of open segments keep those that
+// the line has passed until they are next looked through.
 bool some_meet(const std::vector<Segment>& first, const std::vector<Segment>& second) {
     std::vector<Entry> entries;
     for (const Segment& s : first) entries.push_back({s, box_of(s), true});

@@ -1,6 +1,6 @@
 // Separating axes: every vertex is projected on the normal of every edge.
 //
-// Two convex polygons are apart iff the normal of some edge tells them apart; the robot's sweep
+// Two convex polygons are apart iff the normal of some edge separates them; the robot's sweep
 // has the robot's edges and those of the move. Exact, but O((m + n)^2) for each obstacle.
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Range project(const Polygon& polygon, Point axis) {
     return range;
 }
 
-// Does a line across the axis part the robot on its whole move from the obstacle?
+// Does a line across the axis separate the robot, on its whole move, from the obstacle?
 bool parts(const Polygon& robot, Point d, const Polygon& obstacle, Point axis) {
     Range swept = project(robot, axis);
     swept.low += std::min<int64_t>(0, dot(d, axis));
@@ -41,7 +41,7 @@ bool parts(const Polygon& robot, Point d, const Polygon& obstacle, Point axis) {
     return swept.high < still.low || still.high < swept.low;
 }
 
-// Does any edge of the polygon give an axis that parts the two?
+// Does any edge of the polygon give an axis that separates the two?
 bool some_edge_parts(const Polygon& polygon, const Polygon& robot, Point d,
                      const Polygon& obstacle) {
     Point previous = polygon.back();

@@ -1,6 +1,6 @@
 // The textbook method, with only that part of the sweep that is above or below the obstacle.
 //
-// Small when obstacles are small beside the sweep; O(k * m) when they are long.
+// That part is small where obstacles are narrow; where they are wide, this is O(k * m) as before.
 
 #include <algorithm>
 #include <cstdint>
@@ -25,14 +25,14 @@ bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
 // Twice the signed area of the triangle (origin, a, b): positive iff b is to the left of a.
 int64_t cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 
-// The same polygon, told from its lowest vertex on. O(n).
+// The same polygon, starting at its lowest vertex. O(n).
 Polygon from_lowest(Polygon polygon) {
     std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
     return polygon;
 }
 
 // {p + q : p in a, q in b}, by merging the edges of both by direction. O(|a| + |b|).
-// Both are told from their lowest vertex on, and so is the result. A segment is a polygon
+// Both start at their lowest vertex, and so does the result. A segment is a polygon
 // of two vertices; if its ends coincide, it is a point, and that works as well.
 Polygon minkowski_sum(const Polygon& a, const Polygon& b) {
     Polygon sum;
@@ -67,7 +67,7 @@ bool contains_origin(const Polygon& polygon) {
 }
 
 // The part of the sweep that an obstacle between the two x can meet, and one vertex more at
-// each end. The sweep is told from a leftmost vertex on; `right` is a rightmost one.
+// each end. The sweep starts at a leftmost vertex; `right` is a rightmost one.
 Polygon window(const Polygon& sweep, size_t right, int64_t least_x, int64_t greatest_x) {
     auto lower = sweep.begin(), upper = sweep.begin() + right, end = sweep.end();
     auto first = std::partition_point(lower, upper, [=](Point p) { return p.x < least_x; });

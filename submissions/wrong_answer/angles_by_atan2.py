@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Merges the edges by floating-point angles: atan2 takes unequal directions for equal.
+"""Merges the edges by floating-point angles: atan2 makes unequal directions equal.
 
-Two directions of 10^8 units can differ by 10^-16 radians, less than what a double near 3 can
-hold apart. Such a pair becomes one edge, which cuts off the corner between them.
+Two directions of 10^8 units can differ by 10^-16 radians, less than what doubles near 3 can
+tell apart. Such a pair becomes one edge, which cuts off the corner between them.
 """
 
 import math
@@ -20,7 +20,7 @@ def main():
         answer = "YES"
         for _ in range(k):
             obstacle, at = read_polygon(numbers, at + 1, numbers[at])
-            # After the first collision the rest is read, but not looked at.
+            # After the first collision, the other obstacles are only read.
             if answer == "YES" and touch(sweep, obstacle):
                 answer = "NO"
         answers.append(answer)

@@ -1,4 +1,4 @@
-// Separating axes with <= for <: ranges that only touch are taken for apart.
+// Separating axes with <= for <: ranges that only touch count as apart.
 //
 // A touch is a collision. Right in all else, and with all axes.
 
@@ -31,7 +31,7 @@ Range project(const Polygon& polygon, Point axis) {
     return range;
 }
 
-// Does a line across the axis part the robot on its whole move from the obstacle?
+// Does a line across the axis separate the robot, on its whole move, from the obstacle?
 bool parts(const Polygon& robot, Point d, const Polygon& obstacle, Point axis) {
     Range swept = project(robot, axis);
     swept.low += std::min<int64_t>(0, dot(d, axis));
@@ -40,7 +40,7 @@ bool parts(const Polygon& robot, Point d, const Polygon& obstacle, Point axis) {
     return swept.high <= still.low || still.high <= swept.low;
 }
 
-// Does any edge of the polygon give an axis that parts the two?
+// Does any edge of the polygon give an axis that separates the two?
 bool some_edge_parts(const Polygon& polygon, const Polygon& robot, Point d,
                      const Polygon& obstacle) {
     Point previous = polygon.back();

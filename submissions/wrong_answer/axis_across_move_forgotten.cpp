@@ -1,7 +1,7 @@
 // Separating axes of all edges, but not the one across the move: the sweep has two edges more.
 //
-// The sweep's sides are parallel to the displacement, and may be the only edges that part the
-// two.
+// The sweep's sides are parallel to the displacement, and may be the only edges that separate
+// the two.
 
 #include <algorithm>
 #include <cstdint>
@@ -32,7 +32,7 @@ Range project(const Polygon& polygon, Point axis) {
     return range;
 }
 
-// Does a line across the axis part the robot on its whole move from the obstacle?
+// Does a line across the axis separate the robot, on its whole move, from the obstacle?
 bool parts(const Polygon& robot, Point d, const Polygon& obstacle, Point axis) {
     Range swept = project(robot, axis);
     swept.low += std::min<int64_t>(0, dot(d, axis));
@@ -41,7 +41,7 @@ bool parts(const Polygon& robot, Point d, const Polygon& obstacle, Point axis) {
     return swept.high < still.low || still.high < swept.low;
 }
 
-// Does any edge of the polygon give an axis that parts the two?
+// Does any edge of the polygon give an axis that separates the two?
 bool some_edge_parts(const Polygon& polygon, const Polygon& robot, Point d,
                      const Polygon& obstacle) {
     Point previous = polygon.back();

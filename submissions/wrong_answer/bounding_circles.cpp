@@ -1,6 +1,6 @@
 // Skips obstacles whose bounding circle misses the robot's on its way, in doubles.
 //
-// Where both touch in the same point, rounding may part the circles.
+// Where circles and polygons touch in the same point, rounding may separate the circles.
 
 #include <algorithm>
 #include <cmath>

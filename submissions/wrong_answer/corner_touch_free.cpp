@@ -1,4 +1,4 @@
-// Takes corner against corner for free: segments that share an end point do not count.
+// Forgives corner against corner: segments that share only an end point do not count.
 //
 // Meant to keep neighbouring edges apart from each other, it also forgives a robot that touches
 // an obstacle vertex to vertex.

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Computes with doubles and forgives 1e-9: neither rounding nor a miss is that simple.
+"""Computes with doubles and forgives 1e-9, which makes up for no rounding error.
 
-At 10^8 the rounding of a product is some units, far more than the eps; and where it is not, eps
-adds nothing to whole numbers.
+At 10^8 the rounding error of a product is several units, far more than the eps. Where products
+are exact, they are whole numbers, and the eps changes nothing.
 """
 
 import sys
@@ -21,7 +21,7 @@ def main():
         answer = "YES"
         for _ in range(int(k)):
             obstacle, at = read_polygon(numbers, at + 1, int(numbers[at]))
-            # After the first collision the rest is read, but not looked at.
+            # After the first collision, the other obstacles are only read.
             if answer == "YES" and touch(sweep, obstacle):
                 answer = "NO"
         answers.append(answer)

@@ -1,4 +1,4 @@
-// Stops one moment early: what the robot touches only where it ends is taken for free.
+// Stops one moment early: what the robot touches only at its end does not count.
 //
 // The trails of the vertices are half open. A touch at the very end of the move, and nowhere
 // before, is a collision all the same.

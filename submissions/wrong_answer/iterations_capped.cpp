@@ -40,7 +40,7 @@ bool collide(const Polygon& robot, Point d, const Polygon& obstacle) {
         Point swept = farthest(robot, axis);
         if (dot(axis, d) > 0) swept = swept + d;
         Point gap = farthest(obstacle, {-axis.x, -axis.y}) - swept;
-        if (dot(axis, gap) > 0) return false;  // a line across the axis parts them
+        if (dot(axis, gap) > 0) return false;  // a line across the axis separates them
         if (gap.x == 0 && gap.y == 0) return true;
         double length = std::hypot(static_cast<double>(gap.x), static_cast<double>(gap.y));
         double factor = 2 * dot(axis, gap) / (length * length);

@@ -23,7 +23,7 @@ def main():
         answer = "YES"
         for _ in range(k):
             obstacle, at = read_polygon(numbers, at + 1, numbers[at])
-            # After the first collision the rest is read, but not looked at.
+            # After the first collision, the other obstacles are only read.
             if answer == "YES" and any(touch(place, obstacle) for place in places):
                 answer = "NO"
         answers.append(answer)

@@ -25,14 +25,14 @@ bool operator<(Point a, Point b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
 // Twice the signed area of the triangle (origin, a, b): positive iff b is to the left of a.
 int64_t cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 
-// The same polygon, told from its lowest vertex on. O(n).
+// The same polygon, starting at its lowest vertex. O(n).
 Polygon from_lowest(Polygon polygon) {
     std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
     return polygon;
 }
 
 // {p + q : p in a, q in b}, by merging the edges of both by direction. O(|a| + |b|).
-// Both are told from their lowest vertex on, and so is the result. A segment is a polygon
+// Both start at their lowest vertex, and so does the result. A segment is a polygon
 // of two vertices; if its ends coincide, it is a point, and that works as well.
 Polygon minkowski_sum(const Polygon& a, const Polygon& b) {
     Polygon sum;

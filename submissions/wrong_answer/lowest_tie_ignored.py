@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Begins the walk at any lowest vertex: when two are lowest, perhaps at the right one.
+"""Begins the walk at any lowest vertex: of two, it may be the one on the right.
 
 The edges are sorted by angle, so a horizontal bottom edge is walked first: from its right end
 that leads out of the polygon, and the whole sum is moved by its length.
@@ -21,7 +21,7 @@ def main():
         answer = "YES"
         for _ in range(k):
             obstacle, at = read_polygon(numbers, at + 1, numbers[at])
-            # After the first collision the rest is read, but not looked at.
+            # After the first collision, the other obstacles are only read.
             if answer == "YES" and touch(sweep, obstacle):
                 answer = "NO"
         answers.append(answer)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Samples the motion at 33 moments: what lies between two of them is jumped over.
+"""Samples the motion at 33 moments: a touch between two of them is missed.
 
 Everything is scaled by 32, so that each of the moments is exact.
 """
@@ -19,7 +19,7 @@ def main():
         answer = "YES"
         for _ in range(k):
             obstacle, at = read_polygon(numbers, at + 1, numbers[at])
-            # After the first collision the rest is read, but not looked at.
+            # After the first collision, the other obstacles are only read.
             if answer == "YES" and touch_on_the_way(robot, dx, dy, obstacle):
                 answer = "NO"
         answers.append(answer)

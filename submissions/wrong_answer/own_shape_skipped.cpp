@@ -110,7 +110,7 @@ bool meets(const Sweep& sweep, const Polygon& obstacle) {
     return sweep_inside;
 }
 
-// Is b the polygon a, moved, and told from any of its vertices on?
+// Is b the polygon a, moved, and starting at any of its vertices?
 bool equal(const Polygon& a, const Polygon& b, Point move = {0, 0}) {
     if (a.size() != b.size()) return false;
     for (size_t start = 0; start < b.size(); ++start) {

@@ -1,7 +1,7 @@
 // Counts only proper crossings of segments: whatever meets at an end point is missed.
 //
-// Right wherever an edge is crossed in its inside; vertex on edge, vertex on vertex and edge
-// along edge are not.
+// Right where edges cross in their interiors; vertex on edge, vertex on vertex and edge along
+// edge are missed.
 
 #include <cstdint>
 #include <cstdio>

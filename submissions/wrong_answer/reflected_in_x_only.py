@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Reflects the obstacle in an axis instead of in the origin: (-x, y) for (-x, -y).
 
-The order of the vertices is turned round with it, so the polygon is counter-clockwise, but
-another one.
+The order of the vertices is reversed as well, so the polygon is counter-clockwise, but it is
+the wrong polygon.
 """
 
 import sys
@@ -19,7 +19,7 @@ def main():
         answer = "YES"
         for _ in range(k):
             obstacle, at = read_polygon(numbers, at + 1, numbers[at])
-            # After the first collision the rest is read, but not looked at.
+            # After the first collision, the other obstacles are only read.
             if answer == "YES" and touch(sweep, obstacle):
                 answer = "NO"
         answers.append(answer)

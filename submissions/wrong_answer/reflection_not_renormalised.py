@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Begins the reflected obstacle at what was its lowest vertex, and is its highest now.
+"""Starts the reflected obstacle at its formerly lowest vertex, which is now the highest.
 
-The merge needs both polygons from their lowest vertex on.
+The merge needs both polygons to start at their lowest vertex.
 """
 
 import sys
@@ -18,7 +18,7 @@ def main():
         answer = "YES"
         for _ in range(k):
             obstacle, at = read_polygon(numbers, at + 1, numbers[at])
-            # After the first collision the rest is read, but not looked at.
+            # After the first collision, the other obstacles are only read.
             if answer == "YES" and touch(sweep, obstacle):
                 answer = "NO"
         answers.append(answer)

@@ -1,4 +1,4 @@
-// Follows the robot's vertices only: an obstacle's corner may pass between two of them.
+// Follows the robot's vertices only: an obstacle's corner may fit between two of them.
 //
 // The rays back from the obstacle's vertices are the half that is forgotten.
 

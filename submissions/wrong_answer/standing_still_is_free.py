@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Says YES whenever the displacement is zero: who does not move cannot run into anything."""
+"""Says YES whenever the displacement is zero: as if a robot at rest could touch nothing."""
 
 import sys
 
@@ -15,7 +15,7 @@ def main():
         answer = "YES"
         for _ in range(k):
             obstacle, at = read_polygon(numbers, at + 1, numbers[at])
-            # After the first collision the rest is read, but not looked at.
+            # After the first collision, the other obstacles are only read.
             if answer == "YES" and (dx or dy) and touch(sweep, obstacle):
                 answer = "NO"
         answers.append(answer)

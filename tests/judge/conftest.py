@@ -51,7 +51,7 @@ def source(tmp_path: Path) -> Callable[[str, str], Path]:
 
 @pytest.fixture
 def checker(tmp_path: Path) -> Checker:
-    """Run checker.py from a foreign directory, with scratch files where a test can count them."""
+    """Run checker.py from another directory, with its scratch files where a test can see them."""
     scratch = tmp_path / "scratch"
     scratch.mkdir()
 
@@ -65,7 +65,7 @@ def checker(tmp_path: Path) -> Checker:
         }
         if "input" not in options:
             settings["stdin"] = subprocess.DEVNULL
-        # The tests' own programs are trusted, also where no wall can be raised.
+        # The tests' own programs are trusted, even where no wall works.
         command = [sys.executable, str(ROOT / "checker.py"), "--no-wall", *map(str, arguments)]
         done = subprocess.run(command, **(settings | options))  # type: ignore[call-overload] # a dict of keywords
         assert "Traceback" not in done.stderr
@@ -77,7 +77,7 @@ def checker(tmp_path: Path) -> Checker:
 
 @pytest.fixture(scope="session")
 def sandbox() -> Iterator[Sandbox]:
-    """Without a wall: what the keeper does alone."""
+    """A sandbox without a wall: only the keeper limits programs."""
     with Sandbox() as box:
         yield box
 
@@ -86,7 +86,7 @@ def sandbox() -> Iterator[Sandbox]:
 def walled_sandbox() -> Iterator[Sandbox]:
     found = probe()
     if found.wall is None:
-        pytest.skip(f"no wall stands on this machine: {found.why}")
+        pytest.skip(f"no wall works on this machine: {found.why}")
     with Sandbox(found.wall) as box:
         yield box
 
@@ -111,7 +111,7 @@ def python_runner(sandbox: Sandbox, out: Path) -> RunPython:
 
 @pytest.fixture(params=["sandbox", "walled_sandbox"])
 def run_python(request: pytest.FixtureRequest, tmp_path: Path) -> RunPython:
-    """Run Python code alone with the keeper, and once more behind the wall."""
+    """Run Python code; every test runs twice, with the keeper alone and behind the wall."""
     return python_runner(request.getfixturevalue(request.param), tmp_path / "out")
 
 

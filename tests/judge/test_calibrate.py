@@ -1,4 +1,4 @@
-"""Margins of the time limit, from made-up times; and how the times come about."""
+"""Calibration: the margins that given times leave, and how times are measured."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ def time(expected: Verdict, cpu_s: float) -> Time:
 @pytest.mark.parametrize(
     ("slowest_s", "fastest_s", "declared_s", "proposal_s"),
     [
-        (2.0, 9.0, 5.0, 5.0),  # it fits: nothing is changed
-        (2.0, 9.0, 7.0, 4.0),  # too long for the slow one
-        (2.6, 9.0, 5.0, 5.5),  # too short for the accepted one; the next half second
-        (2.5, 7.5, 5.0, 5.0),  # both margins exactly
-        (3.1, 9.0, 5.0, None),  # they are too near each other
+        (2.0, 9.0, 5.0, 5.0),  # the declared limit fits
+        (2.0, 9.0, 7.0, 4.0),  # too long: too near the slow one
+        (2.6, 9.0, 5.0, 5.5),  # too short for the accepted one: rounded up to half a second
+        (2.5, 7.5, 5.0, 5.0),  # both margins are met exactly
+        (3.1, 9.0, 5.0, None),  # no limit fits between the two
     ],
 )
 def test_proposal(
@@ -50,7 +50,7 @@ def test_proposal(
     assert found.proposal(declared_s) == proposal_s
 
 
-def test_without_slow_ones_any_limit_is_short_enough() -> None:
+def test_without_slow_submissions_the_limit_has_no_upper_bound() -> None:
     found = margins([time(Verdict.AC, 1.0)], PROBLEM)
     assert (found.fastest, found.most_s) == (None, math.inf)
     with pytest.raises(JudgeError, match="no accepted submission"):
@@ -71,7 +71,7 @@ def test_only_the_two_figures_are_written(tmp_path: Path) -> None:
         written("", 1.0, 1.0)
 
 
-def test_nothing_to_time(capsys: pytest.CaptureFixture[str]) -> None:
+def test_only_must_name_a_submission(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--only", "no such submission"]) == 2
     assert "expected part of a name" in capsys.readouterr().err
 
@@ -81,7 +81,7 @@ SLOW = "time_limit_exceeded/brute_force.cpp"
 
 @pytest.fixture
 def runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Runs:
-    """Runs by script: what is run, under which limits, ends as the script says."""
+    """Replace runs by a script: case -> size, verdict, CPU seconds; record cases and limits."""
     made: list[tuple[str, float]] = []
 
     def run(script: dict[str, tuple[int, Verdict, float]], name: str = SLOW) -> Measured:
@@ -120,13 +120,14 @@ def test_the_slowest_run_of_each_group_counts(runs: Runs) -> None:
         Time(SLOW, "small", Verdict.AC, "secret/small/short", 0.5, False),
         Time(SLOW, "large", Verdict.TLE, "secret/large/middle", 99.0, True),
     ]
-    # The longest first, and none after one that was ended; twice what is asked of slow ones.
+    # The longest input runs first, and none after a run that was ended. The time limit of a run is
+    # twice what is asked of slow submissions.
     bound_s = 2 * PROBLEM.limits.time_limit_s * ASKED.time_limit_to_tle
     names = ["small/long", "small/short", "large/long", "large/middle"]
     assert made == [(f"secret/{name}", bound_s) for name in names]
 
 
-def test_what_may_be_wrong_or_slow_is_not_timed(runs: Runs) -> None:
+def test_a_submission_that_may_be_wrong_or_slow_is_not_timed(runs: Runs) -> None:
     either = {Verdict.WA, Verdict.TLE}
     name, group = next(
         (name, group)
@@ -141,7 +142,9 @@ def test_what_may_be_wrong_or_slow_is_not_timed(runs: Runs) -> None:
     ("group", "found", "expected"),
     [("small", Verdict.TLE, "AC"), ("small", Verdict.WA, "AC"), ("large", Verdict.WA, "TLE")],
 )
-def test_another_verdict_is_an_error(runs: Runs, group: str, found: Verdict, expected: str) -> None:
+def test_an_undeclared_verdict_is_an_error(
+    runs: Runs, group: str, found: Verdict, expected: str
+) -> None:
     message = rf"brute_force\.cpp: secret/{group}/1: expected {expected}, found {found} \(as the"
     with pytest.raises(JudgeError, match=message):
         runs({f"{group}/1": (1, found, 1.0)})
@@ -151,7 +154,7 @@ def test_another_verdict_is_an_error(runs: Runs, group: str, found: Verdict, exp
 def calibrate(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> Callable[..., tuple[int, str, list[str]]]:
-    """The command line on a copy of problem.toml, where every slow program takes `slow_s`."""
+    """Run the command line on a copy of problem.toml; every slow submission takes `slow_s`."""
     copy = tmp_path / "problem.toml"
     copy.write_bytes(PROBLEM_FILE.read_bytes())
     monkeypatch.setattr("judge.calibrate.cli.PROBLEM_FILE", copy)
@@ -166,7 +169,7 @@ def calibrate(
             slow = name.startswith("time_limit_exceeded/")
             verdict, cpu_s = (Verdict.TLE, slow_s) if slow else (Verdict.AC, 2.6)
             times = [Time(name, "large", verdict, "secret/large/01", cpu_s, slow)]
-            others[-1](times[0])  # type: ignore[operator] # it tells
+            others[-1](times[0])  # type: ignore[operator] # the callback `tell`
             return times
 
         monkeypatch.setattr("judge.calibrate.cli.measure", measured)
@@ -199,12 +202,12 @@ def test_a_limit_that_fits_is_written(calibrate) -> None:
     assert "time_limit_s = 5.5, reference_cpu_s = 0.31" in said
 
 
-def test_without_asking_nothing_is_written(calibrate) -> None:
+def test_without_write_nothing_is_written(calibrate) -> None:
     status, said, changed = calibrate(slow_s=9.0)
     assert (status, changed, "is written" in said) == (0, [], False)
 
 
-def test_a_part_is_never_written(calibrate) -> None:
+def test_with_only_nothing_is_written(calibrate) -> None:
     status, said, changed = calibrate("--write", "--only", "textbook.py", slow_s=9.0)
     assert (status, changed, SLOW in said) == (0, [], False)
 

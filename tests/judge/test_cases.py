@@ -25,7 +25,7 @@ from judge.problem.manifest import (
 PROBLEM = load()
 
 
-def test_groups_in_the_declared_order_then_foreign_ones(data: Path) -> None:
+def test_declared_groups_come_first_in_their_order(data: Path) -> None:
     for name in ("zoo/1", "loose", "invalid_input/bad"):
         path = data / name
         path.parent.mkdir(exist_ok=True)
@@ -43,7 +43,7 @@ def test_groups_in_the_declared_order_then_foreign_ones(data: Path) -> None:
 
 
 @pytest.mark.parametrize("ending", ["in", "ans"])
-def test_half_a_pair(data: Path, ending: str) -> None:
+def test_half_a_pair_is_an_error(data: Path, ending: str) -> None:
     (data / f"secret/small/02.{ending}").unlink()
     with pytest.raises(CasesError, match=rf"secret/small/02\.{ending}: .* missing$"):
         find_cases(data, PROBLEM)
@@ -57,7 +57,7 @@ def test_a_missing_answer_of_the_kit_can_be_rebuilt(data: Path, monkeypatch) -> 
 
 
 @pytest.mark.parametrize("blank", [b"", b" \n\t\r\n", b"\n" * 5000])
-def test_an_answer_file_that_a_silent_program_would_match(data: Path, blank: bytes) -> None:
+def test_a_blank_answer_file_is_an_error(data: Path, blank: bytes) -> None:
     (data / "secret/small/02.ans").write_bytes(blank)
     with pytest.raises(CasesError, match=r"02\.ans: expected answers, found an empty file"):
         find_cases(data, PROBLEM)
@@ -65,7 +65,7 @@ def test_an_answer_file_that_a_silent_program_would_match(data: Path, blank: byt
     assert len(find_cases(data, PROBLEM)) == 4
 
 
-def test_an_answer_that_cannot_be_read(data: Path, monkeypatch) -> None:
+def test_an_unreadable_answer_file_is_an_error(data: Path, monkeypatch) -> None:
     def refuse(*_arguments: object, **_options: object) -> None:
         raise PermissionError(13, "Permission denied")
 
@@ -74,7 +74,7 @@ def test_an_answer_that_cannot_be_read(data: Path, monkeypatch) -> None:
         find_cases(data, PROBLEM)
 
 
-def test_no_cases(tmp_path: Path) -> None:
+def test_a_directory_without_cases_is_an_error(tmp_path: Path) -> None:
     with pytest.raises(CasesError, match=r"expected pairs .* found none"):
         find_cases(tmp_path, PROBLEM)
     with pytest.raises(CasesError, match=r"none: no such directory"):
@@ -105,7 +105,7 @@ def test_selection(data: Path) -> None:
         chosen(["static", "small"], ["9*"])
 
 
-def test_groups_that_are_not_built(data: Path) -> None:
+def test_a_group_that_is_not_built_is_an_error(data: Path) -> None:
     cases = find_cases(data, PROBLEM)
     nothing = Manifest(1, {})
     check_complete(nothing, cases, ["sample", "small"], data)
@@ -131,7 +131,9 @@ def write_manifest(data: Path) -> None:
 
 
 @pytest.mark.parametrize("ending", ["in", "ans"])
-def test_files_that_are_not_what_was_built(data: Path, tmp_path: Path, ending: str) -> None:
+def test_a_file_that_differs_from_the_manifest_is_an_error(
+    data: Path, tmp_path: Path, ending: str
+) -> None:
     write_manifest(data)
     with Store(tmp_path / "store") as store:
         assert len(load_data(PROBLEM, data, store=store).chosen) == 4
@@ -159,12 +161,12 @@ def test_an_unchanged_file_is_read_once(tmp_path: Path, monkeypatch: pytest.Monk
         store.put("sha256", {str(path): store.get("sha256", [str(path)])[str(path)][:-1] + "?"})
         assert Checksums(store).sha256(path).endswith("?"), "it was read again"
         before = path.stat()
-        path.write_bytes(b"two")  # as long, and given the old time back
+        path.write_bytes(b"two")  # same length, and the old time stamp restored
         os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
         assert Checksums(store).sha256(path) == hashlib.sha256(b"two").hexdigest()
 
 
-def test_what_was_just_written_is_read_again(tmp_path: Path) -> None:
+def test_the_checksum_of_a_file_just_written_is_not_kept(tmp_path: Path) -> None:
     path = tmp_path / "file"
     path.write_bytes(b"one")
     with Store(tmp_path / "store") as store:
@@ -174,7 +176,7 @@ def test_what_was_just_written_is_read_again(tmp_path: Path) -> None:
         assert store.get("sha256", [str(path)]) == {}
 
 
-def test_a_case_of_the_manifest_that_is_not_there(data: Path) -> None:
+def test_a_missing_case_of_the_manifest_is_an_error(data: Path) -> None:
     write_manifest(data)
     manifest = load_manifest(data)
     cases = [case for case in find_cases(data, PROBLEM) if case.name != "secret/small/02"]
@@ -185,7 +187,7 @@ def test_a_case_of_the_manifest_that_is_not_there(data: Path) -> None:
 
 
 @pytest.mark.parametrize("content", [b"{", b'{"version": 1}', b'{"cases": "\xff"}', b"\xff"])
-def test_a_broken_manifest(data: Path, content: bytes) -> None:
+def test_a_broken_manifest_is_an_error(data: Path, content: bytes) -> None:
     (data / "manifest.json").write_bytes(content)
     with pytest.raises(ManifestError, match=r"manifest\.json: not a manifest"):
         load_manifest(data)

@@ -1,4 +1,4 @@
-"""Control groups: found where they may be made, used for what they are good for, gone after."""
+"""Control groups: where they can be made, what they count and limit, and that none is left."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ CONTROLS = ("memory.max", "memory.swap.max", "memory.oom.group", "pids.max", "cg
 
 @pytest.fixture
 def fake(tmp_path: Path):
-    """A directory as cgroup v2 would be, and one as /proc/self, of a process in /a of it."""
+    """Imitate a mounted cgroup v2 and the /proc/self of a process in one of its control groups."""
 
     def make(group: str = "/a", root: str = "/") -> tuple[Path, Path]:
         place, process = tmp_path / "cgroup", tmp_path / "self"
@@ -47,7 +47,7 @@ def fake(tmp_path: Path):
     return make
 
 
-def test_the_own_group_is_found(fake) -> None:
+def test_a_process_finds_its_own_control_group(fake) -> None:
     process, own = fake()
     groups = Cgroups(process)
     assert groups.directory == own
@@ -56,14 +56,14 @@ def test_the_own_group_is_found(fake) -> None:
     assert [path.name for path in own.iterdir() if path.is_dir()] == []
 
 
-def test_in_a_container_names_are_below_its_part_of_the_hierarchy(fake) -> None:
+def test_in_a_container_only_a_part_of_the_hierarchy_is_mounted(fake) -> None:
     process, own = fake(group="/machine/a/b", root="/machine/a")
     assert Cgroups(process).directory == own
     assert own.name == "b"
 
 
 @pytest.mark.parametrize("missing", ["mountinfo", "cgroup"])
-def test_without_cgroup_v2_there_is_none(fake, missing: str) -> None:
+def test_without_cgroup_v2_there_is_no_control_group(fake, missing: str) -> None:
     process, _ = fake()
     (process / missing).write_text("")
     assert Cgroups(process).directory is None
@@ -71,7 +71,7 @@ def test_without_cgroup_v2_there_is_none(fake, missing: str) -> None:
     assert Cgroups(process).directory is None
 
 
-def test_a_group_where_none_can_be_made_is_left_alone(fake, monkeypatch) -> None:
+def test_where_no_control_group_can_be_made_nothing_changes(fake, monkeypatch) -> None:
     process, own = fake()
 
     def refuse(*_arguments: object, **_options: object) -> None:
@@ -82,7 +82,7 @@ def test_a_group_where_none_can_be_made_is_left_alone(fake, monkeypatch) -> None
     assert (own / "cgroup.subtree_control").read_text() == ""
 
 
-def test_who_is_alone_in_its_group_moves_below_and_back(fake, monkeypatch) -> None:
+def test_a_process_alone_in_its_control_group_moves_below_and_back(fake, monkeypatch) -> None:
     process, own = fake()
     (own / "cgroup.procs").write_text(f"{os.getpid()}\n")
     wrote: list[tuple[str, str]] = []
@@ -106,7 +106,7 @@ def test_who_is_alone_in_its_group_moves_below_and_back(fake, monkeypatch) -> No
     ]
 
 
-def test_a_program_is_put_in_a_group_with_its_limits(tmp_path: Path, monkeypatch) -> None:
+def test_a_program_is_put_in_a_control_group_with_its_limits(tmp_path: Path, monkeypatch) -> None:
     mkdir = Path.mkdir
 
     def kernel_mkdir(path: Path) -> None:
@@ -126,8 +126,8 @@ def test_a_program_is_put_in_a_group_with_its_limits(tmp_path: Path, monkeypatch
     assert group.out_of_memory
 
 
-def test_where_no_group_is_granted_nothing_is_left(tmp_path: Path) -> None:
-    # What no kernel made has no cgroup.procs to write to.
+def test_a_control_group_that_is_refused_leaves_nothing(tmp_path: Path) -> None:
+    # The kernel did not make this directory, so it has no cgroup.procs to write to.
     group = Cgroup(f"{tmp_path}/g", 17, memory_mib=100, processes=9)
     assert list(tmp_path.iterdir()) == []
     group.kill()
@@ -145,14 +145,14 @@ os.write(1, encode_reply(watch.run(decode_request(sys.argv[1].encode()))))
 """
 
 
-def test_what_the_kernel_ends_for_its_memory_is_over_the_limit(tmp_path: Path) -> None:
+def test_a_program_that_the_kernel_kills_for_memory_is_over_the_limit(tmp_path: Path) -> None:
     request = Request(
         argv=(sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"),
         **{"cwd": "/", "env": {}, "stdin": None, "stdout": f"{tmp_path}/out"},
         **{"kill_cpu_s": 9, "kill_elapsed_s": 9, "memory_mib": 64, "output_bytes": 9},
         **{"processes": 64, "file_mib": 1, "wall": None, "cgroup": None, "drop": False},
     )
-    reader, writer = os.pipe()  # its control: silent, not closed
+    reader, writer = os.pipe()  # the keeper's control pipe: silent, but open
     done = subprocess.run(
         [sys.executable, "-c", KERNEL_ENDS_IT, encode_request(request).decode()],
         **{"stdin": reader, "stdout": subprocess.PIPE, "cwd": ROOT, "timeout": 60, "check": True},
@@ -166,7 +166,7 @@ def test_what_the_kernel_ends_for_its_memory_is_over_the_limit(tmp_path: Path) -
 
 @pytest.fixture
 def real() -> Iterator[Path]:
-    """The directory where real groups can be made."""
+    """The directory where real control groups can be made."""
     groups = Cgroups()
     if groups.directory is None:
         pytest.skip("this user may make no control groups")
@@ -177,7 +177,7 @@ def real() -> Iterator[Path]:
 UNSEEN = """
 import os, signal, sys, time
 sys.stdin.readline()
-signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # children are reaped, and nobody is told
+signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # children are reaped automatically
 reader, writer = os.pipe()
 if os.fork() == 0:
     os.setsid()
@@ -189,7 +189,7 @@ os.read(reader, 1)
 """
 
 
-def test_a_real_group_counts_and_ends_what_has_left_its_parent(real: Path) -> None:
+def test_a_real_control_group_counts_and_ends_a_daemon(real: Path) -> None:
     process = subprocess.Popen([sys.executable, "-c", UNSEEN], stdin=subprocess.PIPE)
     directory = real / f"{LEAF}-test-{process.pid}"
     group = Cgroup(str(directory), process.pid, memory_mib=64, processes=8)
@@ -205,7 +205,7 @@ def test_a_real_group_counts_and_ends_what_has_left_its_parent(real: Path) -> No
     assert not directory.exists()
 
 
-def test_what_a_killed_keeper_leaves_is_removed(real: Path) -> None:
+def test_the_control_groups_of_a_killed_keeper_are_removed(real: Path) -> None:
     groups = Cgroups()
     assert groups.directory is not None
     left = groups.directory / "collision-course-left-17"
@@ -217,19 +217,21 @@ def test_what_a_killed_keeper_leaves_is_removed(real: Path) -> None:
 @pytest.mark.parametrize("walled", [False, True])
 @pytest.mark.parametrize("granted", [False, True])
 @pytest.mark.parametrize("limits", [False, True])
-def test_a_group_is_made_where_it_adds_something(walled: bool, granted: bool, limits: bool) -> None:
+def test_a_control_group_is_made_where_it_adds_something(
+    walled: bool, granted: bool, limits: bool
+) -> None:
     clock = SimpleNamespace(granted=granted)
     wall = "a wall" if walled else None
     request = SimpleNamespace(wall=wall, cgroup=CgroupRequest("/groups/name", limits))
     nothing_to_gain = walled and granted and not limits
-    place = place_of_cgroup(request, clock)  # type: ignore[arg-type] # as much of a clock as it asks
+    place = place_of_cgroup(request, clock)  # type: ignore[arg-type] # all that it uses of a clock
     assert place == (None if nothing_to_gain else f"/groups/name-{os.getpid()}")
     request.cgroup = None
-    assert place_of_cgroup(request, clock) is None  # type: ignore[arg-type] # so
+    assert place_of_cgroup(request, clock) is None  # type: ignore[arg-type] # as above
 
 
 @pytest.mark.parametrize("wall", [False, True])
-def test_no_group_is_left_after_a_run(real: Path, tmp_path: Path, wall: bool) -> None:
+def test_no_control_group_is_left_after_a_run(real: Path, tmp_path: Path, wall: bool) -> None:
     script = "setsid sleep 60 & cat /proc/self/cgroup"
     limits = RunLimits(time_limit_s=5, memory_mib=200, output_mib=1)
     with Sandbox(probe().wall if wall else None) as sandbox:
@@ -237,18 +239,18 @@ def test_no_group_is_left_after_a_run(real: Path, tmp_path: Path, wall: bool) ->
         assert list(real.glob(f"{sandbox.scratch.name}*")) == []
     assert facts.exit_status == 0
     own = [x for x in (tmp_path / "out").read_text().splitlines() if x.startswith("0::")]
-    assert own == (["0::/"] if wall else own)  # a namespace hides the name
+    assert own == (["0::/"] if wall else own)  # behind a wall, a namespace hides the name
     assert wall or sandbox.scratch.name in own[0]
 
 
-def test_delegated_controllers_hold_memory_and_processes(real: Path, tmp_path: Path) -> None:
-    """Where they are: `systemd-run --user --scope -p Delegate=yes python -m pytest ...`."""
+def test_delegated_controllers_limit_memory_and_processes(real: Path, tmp_path: Path) -> None:
+    """Delegate them by `systemd-run --user --scope -p Delegate=yes python -m pytest ...`."""
     limits = RunLimits(time_limit_s=5, memory_mib=64, output_mib=1, processes=20)
     held: dict[str, str] = {}
 
     def look(name: str) -> None:
         give_up = time.monotonic() + 30
-        while held.get("pids.max", "max") == "max" and time.monotonic() < give_up:  # just made
+        while held.get("pids.max", "max") == "max" and time.monotonic() < give_up:  # not set yet
             for group in real.glob(f"{name}-*"):
                 for file in ("memory.max", "pids.max"):
                     with contextlib.suppress(OSError):

@@ -1,4 +1,4 @@
-"""Parts of the judge are killed at random moments: a judge error at worst, and nothing is left."""
+"""Parts of the judge are killed at random moments: at worst a judge error; nothing is left."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from judge.sandbox.keeper.proc import children, descendants, read
 from judge.sandbox.probe import probe
 
 PR_SET_CHILD_SUBREAPER = 36
-LONGEST_MOMENT_S = 1.2  # by then a judging of these cases is over, or nearly
+LONGEST_MOMENT_S = 1.2  # by then, the judging of these cases is over or nearly so
 ECHO = "import sys, time\ntime.sleep(0.1)\nsys.stdout.write(sys.stdin.read())\n"
 
 _random = random.Random(3)
@@ -33,10 +33,10 @@ ROUNDS = [
 
 @pytest.fixture(autouse=True)
 def no_process_is_left() -> Iterator[None]:
-    """What outlives the checker becomes a child of this process, and is found."""
+    """Adopt every process that outlives the checker, so that it is found."""
     found = probe()
     if found.wall is None:
-        pytest.skip(f"no wall stands on this machine: {found.why}")
+        pytest.skip(f"no wall works on this machine: {found.why}")
     ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1)
     before = set(descendants())
     yield
@@ -47,7 +47,7 @@ def no_process_is_left() -> Iterator[None]:
 
 
 def alive() -> set[int]:
-    """Return the living descendants; the dead of others are reaped by nobody but us."""
+    """Return the living descendants. Zombies are left out: nobody but this process reaps them."""
     states = {
         pid: read(f"/proc/{pid}/stat").rpartition(")")[2].split()[:1] for pid in descendants()
     }
@@ -55,7 +55,7 @@ def alive() -> set[int]:
 
 
 def find(victim: str, checker: int) -> int | None:
-    """Return a process that plays this part at the moment."""
+    """Return the process that is the `victim` now, None if there is none yet."""
     generation = [checker]
     for _ in range(["checker", "keeper", "wall", "first process"].index(victim)):
         generation = [child for pid in generation for child in children(pid)]
@@ -63,7 +63,7 @@ def find(victim: str, checker: int) -> int | None:
 
 
 @pytest.mark.parametrize(("victim", "moment_s"), ROUNDS)
-def test_killed(
+def test_a_killed_part_changes_no_verdict_and_leaves_nothing(
     victim: str, moment_s: float, source: Callable[[str, str], Path], data: Path, tmp_path: Path
 ) -> None:
     scratch, report = tmp_path / "scratch", tmp_path / "report.json"
@@ -79,7 +79,7 @@ def test_killed(
     ) as process:
         time.sleep(moment_s)
         pid = None
-        while pid is None and process.poll() is None:  # until somebody plays the part
+        while pid is None and process.poll() is None:  # until the victim has started
             pid = find(victim, process.pid)
         if pid is not None:
             try:

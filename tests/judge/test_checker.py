@@ -109,7 +109,7 @@ def test_junit_says_what_json_says(
     assert (facts["verdict"], facts["score"]) == (table["verdict"], str(table["score"]))
 
 
-def test_junit_of_what_does_not_compile(
+def test_the_junit_report_of_a_compile_error(
     checker: Checker, source: Source, data: Path, tmp_path: Path
 ) -> None:
     report = tmp_path / "report.xml"
@@ -138,7 +138,7 @@ def test_compile_error(checker: Checker, source: Source, data: Path) -> None:
     assert "CE  0 of 100 points" in done.stdout
 
 
-def test_what_cannot_be_judged(
+def test_what_cannot_be_judged_is_told_in_one_line(
     checker: Checker, source: Source, data: Path, tmp_path: Path
 ) -> None:
     echo = source("echo.py", ECHO)

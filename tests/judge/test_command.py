@@ -1,4 +1,4 @@
-"""Every command line ends with one line and an exit status, whatever becomes of its streams."""
+"""Every command ends with one line and an exit status, even if its streams fail."""
 
 from __future__ import annotations
 
@@ -38,16 +38,16 @@ def shell(line: str) -> subprocess.CompletedProcess[str]:
 def test_output_that_cannot_be_written(name: str, to: str, message: str) -> None:
     done = shell(f"{sys.executable} {COMMANDS[name]} {to}")
     assert done.returncode == 2
-    # A line of progress, left blank, may stand before it.
+    # An erased progress bar may leave an empty line before it.
     assert done.stderr.lstrip("\n") == f"{name}: {message}\n"
 
 
 @pytest.mark.parametrize("name", COMMANDS)
-def test_no_stream_at_all(name: str) -> None:
+def test_all_streams_closed(name: str) -> None:
     assert shell(f"{sys.executable} {COMMANDS[name]} <&- >&- 2>&-").returncode == 2
 
 
-def test_a_reader_that_goes_away_is_no_error_to_speak_of() -> None:
+def test_nothing_is_said_when_the_reader_goes_away() -> None:
     done = shell(f"(sleep 0.5; {sys.executable} {COMMANDS['gen']}; echo $? >&2) | true")
     assert done.stderr == "1\n"
 
@@ -75,7 +75,7 @@ def test_how_a_command_ends(
     assert capsys.readouterr().err == line
 
 
-def test_what_nobody_foresaw_is_not_hidden() -> None:
+def test_an_unforeseen_exception_is_not_hidden() -> None:
     def command() -> int:
         raise ZeroDivisionError
 

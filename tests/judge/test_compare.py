@@ -16,8 +16,7 @@ from judge.kit.text import printable
 SPACES = st.text(" \t\n\r\x0b\x0c", min_size=1, max_size=4).map(str.encode)
 TOKENS = st.lists(st.sampled_from([b"YES", b"no", b"No", b"yes", b"\x00", b"\xff", b"a" * 50]))
 
-
-# A token may go on over any number of blocks.
+# A token may span any number of blocks.
 BLOCKS = st.sampled_from([1, 2, 3, 7, BLOCK_BYTES])
 
 
@@ -36,7 +35,7 @@ def first_difference(output: bytes, answer: bytes) -> int | None:
 
 @st.composite
 def laid_out(draw: st.DrawFn, tokens: list[bytes]) -> bytes:
-    """Any white space around the tokens."""
+    """Put any white space around the tokens."""
     text = draw(SPACES | st.just(b""))
     for token in tokens:
         text += token + draw(SPACES)
@@ -104,7 +103,7 @@ def test_messages(output: bytes, answer: bytes, message: str) -> None:
 
 
 def test_a_flood_costs_little_memory() -> None:
-    """Eight MiB of one-byte tokens would be hundreds of MiB as a list."""
+    """Eight MiB of one-byte tokens would take hundreds of MiB as a list."""
     import tracemalloc
 
     flood = io.BytesIO(b"1 " * (4 << 20))

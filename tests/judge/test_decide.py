@@ -66,7 +66,7 @@ def test_facts_to_verdict(
     assert (judgement.message == "") == (verdict is Verdict.AC)
 
 
-def test_every_stop_has_a_row() -> None:
+def test_every_reason_to_stop_has_a_row() -> None:
     assert {row[0].get("stopped") for row in ROWS} == {None, *Stop}
 
 

@@ -1,8 +1,8 @@
-"""Hostile programs: each meets a verdict it expects, gains nothing, and leaves nothing.
+"""Hostile programs: each gets an expected verdict, gains nothing, and leaves nothing.
 
-`hostile/` holds programs, `hostile/compile/` what attacks the compiler. The first line of
-each says what it does and `Expect:` which verdicts are right. A program that wants to gain
-something answers right only if it did, so that its WA says that it did not.
+`hostile/` attacks the judge at run time, `hostile/compile/` attacks the compiler. The first line
+of each program says what it does and, after `Expect:`, which verdicts are right. A program that
+tries to gain something answers right only if it succeeds, so WA means that it did not.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from judge.sandbox.probe import probe
 
 HERE = Path(__file__).parent / "hostile"
 PROGRAMS = sorted(path for path in HERE.rglob("*.*") if by_suffix(path))
-SECONDS_AT_MOST = 30  # of wall time for one program, on a busy machine
+SECONDS_AT_MOST = 30  # elapsed, for one program on a busy machine
 PR_SET_CHILD_SUBREAPER = 36
 
 _declared = load()
@@ -65,9 +65,9 @@ def data(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(autouse=True)
 def nothing_is_left(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, data: Path) -> Iterator[None]:
-    """What outlives its keeper becomes a child of this process, and is found."""
+    """Adopt every process that outlives its keeper, so that it is found."""
     if probe().wall is None:
-        pytest.skip(f"no wall stands on this machine: {probe().why}")
+        pytest.skip(f"no wall works on this machine: {probe().why}")
     ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1)
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     before = set(descendants())
@@ -89,12 +89,13 @@ def shown(judging: Judging) -> str:
 
 
 @pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.relative_to(HERE).as_posix())
-def test_survived(path: Path, data: Path) -> None:
+def test_the_verdict_is_an_expected_one(path: Path, data: Path) -> None:
     tool = {".c": "gcc", ".cpp": "g++"}.get(path.suffix)
     if tool is not None and shutil.which(tool) is None:
         pytest.skip(f"{tool} is not installed")
     started = time.monotonic()
-    # Short for what only time ends; elsewhere a busy machine must not be what decides.
+    # Short where only the time limit ends the program; otherwise long, so that a busy machine
+    # does not decide the verdict.
     time_limit_s = 0.6 if "TLE" in expected(path) else 3.0
     options = Options(data=data, time_limit_s=time_limit_s, stop_on_first=True)
     judging = judge(read_submission(path), PROBLEM, options)
@@ -106,8 +107,8 @@ def test_survived(path: Path, data: Path) -> None:
     assert len(text) < 9000, "a report stays short"
 
 
-def test_every_item_is_tried() -> None:
-    """The set is whole: a program lost by a rename or a merge is noticed."""
+def test_no_hostile_program_is_lost() -> None:
+    """A rename or a merge could lose some."""
     assert len(PROGRAMS) >= 55
     every = {verdict for path in PROGRAMS for verdict in expected(path)}
     assert every == set(Verdict) - {Verdict.JE}

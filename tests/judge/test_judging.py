@@ -34,7 +34,7 @@ Source = Callable[[str, str], Path]
 def judged(path: Path, data: Path, **options: Any) -> Judging:
     executor = options.pop("executor", None)
     events = options.pop("events", None)
-    # The tests' own programs are trusted, also where no wall can be raised.
+    # The tests' own programs are trusted, even where no wall works.
     settings = Options(data=data, no_wall=True, **({"time_limit_s": 5.0} | options))
     return judge(read_submission(path), PROBLEM, settings, executor=executor, events=events)
 
@@ -106,7 +106,7 @@ def test_a_source_over_the_limit_is_a_compile_error(source: Source, data: Path) 
     assert "limit 256 KiB" in judged(source("long.py", text), data).message
 
 
-def test_public_class_of_any_name_in_java(source: Source, data: Path) -> None:
+def test_a_java_class_may_have_any_name(source: Source, data: Path) -> None:
     if shutil.which("javac") is None:
         pytest.skip("javac is not installed")
     code = (
@@ -121,7 +121,7 @@ def test_public_class_of_any_name_in_java(source: Source, data: Path) -> None:
     assert judged(source("any.java", code), data).verdict is Verdict.AC
 
 
-def test_the_limit_is_scaled_unless_it_is_asked_for(
+def test_the_declared_limit_is_scaled_and_a_given_one_is_not(
     source: Source, data: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = source("echo.py", ECHO)
@@ -169,7 +169,7 @@ def test_a_tle_alone_is_final(source: Source, data: Path) -> None:
     assert {r.retried for r in outcome.cases} == {False}
 
 
-def test_a_run_over_the_limit_by_little_is_repeated(source: Source, data: Path) -> None:
+def test_a_run_slightly_over_the_limit_is_repeated(source: Source, data: Path) -> None:
     limits = RunLimits(time_limit_s=5.0, memory_mib=100, output_mib=1)
     executor = Overloaded(cpu_s=limits.kill_cpu_s)
     outcome = judged(source("echo.py", ECHO), data, jobs=1, executor=executor)
@@ -181,7 +181,7 @@ def test_a_run_over_the_limit_by_little_is_repeated(source: Source, data: Path) 
 
 
 class Broken(Executor):
-    """Its workers die."""
+    """An executor whose workers die."""
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         future: Future[Any] = Future()

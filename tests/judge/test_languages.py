@@ -1,4 +1,4 @@
-"""The language table: names, suffixes, and what a bare text tells."""
+"""The language table: names, suffixes, and the guess for a text without a name."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ def test_a_text_tells_its_language(name: str) -> None:
     assert found.name == name
 
 
-def test_every_language_has_a_text() -> None:
+def test_every_language_has_such_a_text() -> None:
     assert set(HELLO) == {language.name for language in LANGUAGES}
 
 
-def test_the_text_of_every_submission_tells_what_its_suffix_tells() -> None:
+def test_the_guess_for_every_submission_agrees_with_its_suffix() -> None:
     assert SOURCES
     for path in SOURCES:
         assert guess(path.read_text()) is by_suffix(path), path

@@ -1,4 +1,4 @@
-"""The speed of a machine: measured well, kept as long as the machine is the same."""
+"""The speed of a machine: measured until two runs agree, kept while the machine is the same."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def times(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Times:
     [
         ((0.31, 0.30, 0.302, 9.0), 0.0, 0.30, 1),  # the two fastest of three agree
         ((0.40, 0.35, 0.30, 0.31, 0.301, 9.0), 0.0, 0.30, 1),  # not before the fifth
-        ((0.40, 0.25, 9.0), 0.27, 0.25, 1),  # fast enough: no more is asked
+        ((0.40, 0.25, 9.0), 0.27, 0.25, 1),  # fast enough: no further run
         (tuple(1.0 / n for n in range(1, 40)), 0.0, 1 / MOST_RUNS, 39 - MOST_RUNS),
     ],
 )
@@ -101,14 +101,12 @@ def test_the_scale_is_kept_for_this_machine_only(times: Times, tmp_path: Path) -
     assert not path.exists()
 
 
-def test_a_faster_machine_gives_no_less(times: Times, tmp_path: Path) -> None:
+def test_a_faster_machine_does_not_lower_the_limit(times: Times, tmp_path: Path) -> None:
     times(DECLARED_S / 2)
     assert measured(tmp_path / "machine.json") == 1.0
 
 
-def test_where_nothing_can_be_kept_it_is_measured_all_the_same(
-    times: Times, tmp_path: Path
-) -> None:
+def test_a_scale_that_cannot_be_kept_is_used_all_the_same(times: Times, tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     times(*[2 * DECLARED_S] * 3)
     assert measured(tmp_path / "file" / "machine.json") == 2.0
@@ -119,14 +117,14 @@ def test_without_the_calibration_case_there_is_no_scale(
 ) -> None:
     case = Case("none", ".", tmp_path / "none.in", tmp_path / "none.ans")
     monkeypatch.setattr(machine, "calibration_case", lambda _problem: case)
-    assert measure_scale(PROBLEM, None, tmp_path / "kept") is None  # type: ignore[arg-type] # so
+    assert measure_scale(PROBLEM, None, tmp_path / "kept") is None  # type: ignore[arg-type] # not used
 
 
 def test_cores_are_counted_by_what_the_kernel_says(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("os.sched_getaffinity", lambda _pid: {0, 1, 2, 3, 6})
-    assert cores(tmp_path) == 2  # nothing is told: two of five, as they may come in pairs
+    assert cores(tmp_path) == 2  # the kernel tells nothing: two processors share a core
     for processor, siblings in enumerate(("0,4", "1,5", "2,6", "3,7", "0,4", "1,5", "2,6", "3,7")):
         directory = tmp_path / f"cpu{processor}" / "topology"
         directory.mkdir(parents=True)

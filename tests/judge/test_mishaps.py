@@ -143,7 +143,7 @@ def test_closed_streams(data: Path, source, closed: str, status: int) -> None:
     assert "Traceback" not in done.stderr
 
 
-def test_an_endless_source_is_read_in_part_only() -> None:
+def test_only_the_beginning_of_an_endless_source_is_read() -> None:
     class Endless:
         def read(self, size: int = -1) -> bytes:
             assert size == LONGEST_SOURCE_BYTES
@@ -208,7 +208,7 @@ def test_java_in_a_package_with_a_byte_order_mark(data: Path, source) -> None:
         ("const x = require('fs')\nfor (const y of x) console.log(y)\n", "JavaScript"),
     ],
 )  # fmt: skip
-def test_languages_told_by_the_text(text: str, name: str) -> None:
+def test_the_language_of_misleading_texts(text: str, name: str) -> None:
     found = guess(text)
     assert found is not None
     assert found.name == name
@@ -224,7 +224,7 @@ def test_a_byte_order_mark_is_no_part_of_the_source() -> None:
     "unit", ["\n", " \t", "public ", "static ", "class A {", "/* ", '"\\', "'\\", "from a.a.a"]
 )
 def test_long_sources_are_read_in_linear_time(unit: str) -> None:
-    """Where it was quadratic it took minutes; it takes a tenth of a second."""
+    """Quadratic time would be minutes; linear time is a tenth of a second."""
     text = "class A {" + unit * ((128 << 10) // len(unit)) + "x"
     began = time.process_time()
     java_names(text)

@@ -1,4 +1,4 @@
-"""Judging on other executors: processes that share nothing with this one, and their deaths."""
+"""Judging on other executors, with workers that share nothing with this process and may die."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def told(judging: Judging) -> Judging:
 
 
 def nothing_left(scratch: Path) -> bool:
-    """Wait until every scratch directory is gone: a keeper removes it just after its worker."""
+    """Wait until no scratch directory is left: a keeper removes its own after the worker ends."""
     give_up = time.monotonic() + 20
     while any(scratch.iterdir()) and time.monotonic() < give_up:
         time.sleep(0.02)
@@ -82,7 +82,7 @@ def test_other_processes_judge_alike(
     assert nothing_left(scratch)
 
 
-def test_what_does_not_compile_there_does_not_compile(
+def test_a_compile_error_in_another_process_is_a_verdict(
     source: Source, data: Path, processes: ProcessPoolExecutor
 ) -> None:
     outcome = judged(source("broken.py", "def f(:\n"), data, processes)
@@ -93,7 +93,7 @@ def test_what_does_not_compile_there_does_not_compile(
 def test_a_worker_killed_in_the_middle_changes_nothing(
     source: Source, data: Path, scratch: Path, processes: ProcessPoolExecutor
 ) -> None:
-    """A worker dies while its program runs; the program and its files die with it."""
+    """A worker dies while its program runs; its program is ended and its files are removed."""
     path = source("echo.py", "import time\ntime.sleep(0.3)\n" + ECHO)
 
     def kill_one(cases: int) -> None:
@@ -108,7 +108,7 @@ def test_a_worker_killed_in_the_middle_changes_nothing(
     assert nothing_left(scratch)
 
 
-def test_a_task_is_plain_data_and_a_worker_gets_ready_once(source: Source, data: Path) -> None:
+def test_a_job_and_what_a_worker_returns_can_be_pickled(source: Source, data: Path) -> None:
     job = Job(read_submission(source("echo.py", ECHO)), PROBLEM, without_wall=True)
     copy = pickle.loads(pickle.dumps(job))
     assert copy == job
@@ -118,7 +118,7 @@ def test_a_task_is_plain_data_and_a_worker_gets_ready_once(source: Source, data:
 
 
 class Slow(Executor):
-    """Every run takes 6 s of CPU time, it says; the machine is found to be 1.5 times slower."""
+    """Reports 6 s of CPU time for every run, and `scale` as the speed of the machine."""
 
     def __init__(self, scale: Scale | None) -> None:
         self.scale = scale
@@ -144,7 +144,7 @@ class Slow(Executor):
 @pytest.mark.parametrize(
     ("scale", "verdict", "limits_s"),
     [
-        # Only the first run is made under the declared limit; all are repeated or begun after it.
+        # Only the first run has the declared limit; its repetition and all others have the scaled.
         (Scale(1.5, "measured"), Verdict.AC, [5.0, 7.5, 7.5, 7.5, 7.5]),
         (Scale(1.0, "measured"), Verdict.TLE, [5.0] * 4),
         (None, Verdict.TLE, [5.0] * 4),  # the calibration case is not built

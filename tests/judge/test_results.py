@@ -64,7 +64,7 @@ def test_a_part_of_a_group_does_not_score() -> None:
     assert left_out.cases[0].message == "not run: because"
 
 
-def test_what_is_shown_first() -> None:
+def test_first_failure_changed_verdicts_and_slowest_cases() -> None:
     whole = judging(RESULTS)
     assert whole.cases == tuple(RESULTS)
     assert whole.first_failure == RESULTS[3]
@@ -161,6 +161,6 @@ def test_the_whole_junit_report() -> None:
     assert to_junit(judging(RESULTS)).decode() == JUNIT
 
 
-def test_the_junit_report_of_what_does_not_compile() -> None:
+def test_the_junit_report_of_a_compile_error() -> None:
     left_out = [not_run(CASES[0], "does not compile")]
     assert to_junit(judging(left_out, CE, "line 1\nline 2")).decode() == JUNIT_CE

@@ -1,4 +1,4 @@
-"""The facts of runs: what is measured, what is stopped, and that nothing remains."""
+"""The facts of runs: what is measured, what is stopped, and that nothing is left."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def test_cpu_time_is_that_of_the_program_not_of_the_wall(run_python: RunPython) 
     assert facts.elapsed_s > 0.65
 
 
-# The pipe ends when the last child has: on a busy machine no sleep is long enough.
+# A program waits until its pipe ends, with its last child: no sleep is long enough everywhere.
 BURN = "import os, signal, time\nr, w = os.pipe()\n"
 CHILDREN = {
     "waited-for": (
@@ -125,7 +125,7 @@ def test_cpu_time_of_children_shorter_than_a_sample_stops_too(run_python: RunPyt
 
 
 def test_no_child_is_too_short_for_the_clock(run_python: RunPython) -> None:
-    """Reaped automatically, and gone before a sample: only the inherited counter sees them."""
+    """They are reaped automatically and gone before a sample: only the counter sees them."""
     clock = Clock(os.getpid())
     granted = clock.cpu_s() > 0
     clock.close()
@@ -161,7 +161,7 @@ def test_ignored_signals_do_not_help(run_python: RunPython) -> None:
     assert run_python(code, time_limit_s=0.2).stopped is Stop.CPU
 
 
-def test_sleepers_end_by_wall_time(sandbox: Sandbox, tmp_path: Path) -> None:
+def test_sleepers_are_ended_by_elapsed_time(sandbox: Sandbox, tmp_path: Path) -> None:
     facts = sandbox.run(
         Command(("/bin/sleep", "60")),
         RunLimits(time_limit_s=0.1, memory_mib=50, output_mib=1),
@@ -174,7 +174,7 @@ def test_sleepers_end_by_wall_time(sandbox: Sandbox, tmp_path: Path) -> None:
 
 
 def test_memory_of_one_process(run_python: RunPython) -> None:
-    # Long enough to be looked at on a busy machine too.
+    # Long enough to be sampled on a busy machine, too.
     facts = run_python("import time\nx = b'1' * (90 << 20)\ntime.sleep(0.4)", memory_mib=200)
     assert facts.stopped is None
     assert 90 < facts.memory_mib < 120
@@ -195,7 +195,7 @@ def test_memory_of_many_processes_is_summed_but_shared_pages_count_once(
     assert (facts.stopped, facts.memory_mib < 110) == (None, True)
 
 
-def test_what_is_shared_counts_once_far_from_the_limit_too(run_python: RunPython) -> None:
+def test_shared_pages_count_once_far_from_the_limit_too(run_python: RunPython) -> None:
     own = "x = b'1' * (60 << 20)\n"
     forks = "for _ in range(3):\n    if os.fork() == 0: break\n"
     shared, each = own + forks, forks + own
@@ -204,29 +204,29 @@ def test_what_is_shared_counts_once_far_from_the_limit_too(run_python: RunPython
         assert least_mib < run_python(code, memory_mib=2000).memory_mib < most_mib
 
 
-def test_scratch_that_is_mapped_counts_once(run_walled: RunPython) -> None:
+def test_a_mapped_file_in_scratch_counts_once(run_walled: RunPython) -> None:
     code = "import mmap, time\nf = open('/tmp/x', 'w+b')\nf.truncate(50 << 20)\n"
     code += "m = mmap.mmap(f.fileno(), 50 << 20)\nm[:] = bytes(50 << 20)\ntime.sleep(0.3)"
     assert run_walled(code, memory_mib=90).stopped is None
     assert run_walled(code, memory_mib=50).stopped is Stop.MEMORY
 
 
-def seen(pid: int, resident_mib: float) -> Process:
+def sample_of(pid: int, resident_mib: float) -> Process:
     return Process(pid, "1", "/nowhere", 0.0, 0.0, resident_mib, 100.0)
 
 
 def test_the_first_process_of_a_wall_counts_if_it_is_taken_over() -> None:
-    """A program may write to its memory: it belongs to the same user."""
-    program = seen(3, 50)
-    assert Memory({"/tmp": 1}).used_mib([seen(1, 3), seen(2, 3), program], 99) == 50
+    """Both belong to the same user, so the program can write to its memory."""
+    program = sample_of(3, 50)
+    assert Memory({"/tmp": 1}).used_mib([sample_of(1, 3), sample_of(2, 3), program], 99) == 50
     memory = Memory({"/tmp": 1})
-    memory._next_s = time.monotonic() + 60  # what is shared was looked at just now
-    assert memory.used_mib([seen(1, 3), seen(2, 900), program], 2000) == 900
+    memory._next_s = time.monotonic() + 60  # shared memory was measured just now
+    assert memory.used_mib([sample_of(1, 3), sample_of(2, 900), program], 2000) == 900
     assert Memory({}).used_mib([program], 99) == 50
 
 
-def test_output_that_something_still_could_write_to_is_not_waited_for(tmp_path: Path) -> None:
-    """A descriptor under way in a socket stays open for as long as the kernel likes."""
+def test_output_is_not_waited_for_when_all_processes_are_gone(tmp_path: Path) -> None:
+    """A descriptor that was sent over a socket and never received keeps the pipe open."""
     out, held = os.pipe()
     err, closed = os.pipe()
     os.write(held, b"answer")
@@ -244,8 +244,8 @@ def test_output_that_something_still_could_write_to_is_not_waited_for(tmp_path: 
             os.fstat(fd)
 
 
-def test_who_is_ending_holds_no_memory_any_more() -> None:
-    """It cannot be asked what it shares; to count all of it would be unfair to many workers."""
+def test_a_process_that_is_ending_holds_no_memory() -> None:
+    """What it shares can no longer be read; to count all of it would be unfair to many workers."""
     pid = os.fork()
     if pid == 0:
         time.sleep(60)
@@ -270,11 +270,11 @@ def test_memory_is_seen_when_the_first_thread_has_ended() -> None:
         give_up = time.monotonic() + 30
         while fields(f"/proc/{process.pid}")[STATE] != "Z" and time.monotonic() < give_up:
             time.sleep(0.01)
-        seen = look_at(process.pid)
+        sample = look_at(process.pid)
         process.kill()
-    assert seen is not None
-    assert seen.place != f"/proc/{process.pid}"
-    assert seen.resident_mib > 60
+    assert sample is not None
+    assert sample.place != f"/proc/{process.pid}"
+    assert sample.resident_mib > 60
 
 
 @pytest.mark.parametrize("descriptor", [1, 2])
@@ -308,9 +308,9 @@ def test_many_processes_are_stopped_and_none_is_left(run_python: RunPython) -> N
     mark = f"many-{os.getpid()}-{time.monotonic_ns()}"
     code = (
         "import os, time\n"
-        "for _ in range(6):\n"  # 64, bounded, and every one lives on
+        "for _ in range(6):\n"  # at most 64, and each of them stays alive
         "    try: os.fork()\n"
-        "    except OSError: pass\n"  # as many as there may be
+        "    except OSError: pass\n"  # no more are allowed
         f"time.sleep(30) # {mark}\n"
     )
     assert run_python(code, processes=20).stopped is Stop.PROCESSES
@@ -321,9 +321,9 @@ def test_the_environment_and_descriptors_are_bare(run_python: RunPython, tmp_pat
     code = "import os; print(sorted(os.environ), sorted(map(int, os.listdir('/proc/self/fd')))[:4])"
     assert run_python(code).exit_status == 0
     names, fds = (tmp_path / "out").read_text().strip().split("] ")
-    # Python itself sets LC_CTYPE, and the shell that raises the inner limits PWD.
+    # Python itself sets LC_CTYPE, and the shell that sets the limits inside sets PWD.
     assert set(re.findall(r"\w+", names)) - {"LC_CTYPE", "PWD"} == {"HOME", "TMPDIR"}
-    assert fds == "[0, 1, 2, 3]"  # 3 is the listing's own
+    assert fds == "[0, 1, 2, 3]"  # 3 is the directory being listed
 
 
 def test_each_run_starts_in_an_empty_directory_of_its_own(
@@ -387,7 +387,8 @@ def test_a_killed_judge_leaves_nothing(tmp_path: Path) -> None:
         [sys.executable, "-c", code], env=env, cwd=Path(__file__).parents[2]
     ) as p:
         give_up = time.monotonic() + 20
-        while len(running(mark)) < 2 and time.monotonic() < give_up:  # the judge's own text has it
+        # Two, as the judge's own code holds the mark, too.
+        while len(running(mark)) < 2 and time.monotonic() < give_up:
             time.sleep(0.02)
         assert len(running(mark)) == 2
         p.kill()
@@ -404,7 +405,7 @@ def test_no_place_for_scratch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_waiting_for_a_processor_is_not_sleep(run_bare: RunPython) -> None:
-    """A seventh of one processor: longer than the wall limit for less than the time limit."""
+    """On a seventh of a processor, it passes the elapsed limit while it is below the time limit."""
     processor = min(os.sched_getaffinity(0))
     pinned = f"import os\nos.sched_setaffinity(0, {{{processor}}})\n"
     busy = [
@@ -421,12 +422,12 @@ def test_waiting_for_a_processor_is_not_sleep(run_bare: RunPython) -> None:
             process.kill()
             process.wait()
     limits = RunLimits(time_limit_s=1.0, memory_mib=1, output_mib=1)
-    assert facts.elapsed_s > limits.kill_elapsed_s, "it was not kept waiting: the test says nothing"
+    assert facts.elapsed_s > limits.kill_elapsed_s, "it did not wait: the test shows nothing"
     assert (facts.stopped, facts.exit_status) == (None, 0)
 
 
 @pytest.mark.skipif(os.getuid() != 0, reason="only root has something to drop")
-def test_root_runs_nothing_as_root_where_another_user_can_get_there(
+def test_root_runs_a_program_as_nobody_where_nobody_can_reach_it(
     sandbox: Sandbox, tmp_path: Path
 ) -> None:
     # Where root judges without a wall, as in a container, a program must not own the machine.
@@ -448,8 +449,8 @@ def test_a_keeper_killed_at_its_start_leaves_no_directory(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_what_the_keeper_takes_starves_nobody(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A program that gives it much to look at would wait for it on the same processor."""
+def test_waiting_for_the_keeper_is_not_starvation(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A program with many processes to sample causes that work, and waits for its processor."""
     tree = Tree({})
     ready_ns = int(9e9)
     monkeypatch.setattr("judge.sandbox.keeper.tree.descendants", lambda: [1, 2])
@@ -460,7 +461,7 @@ def test_what_the_keeper_takes_starves_nobody(monkeypatch: pytest.MonkeyPatch) -
     assert 8.3 < tree.starved_s() <= 8.8
 
 
-def test_what_was_shared_explains_memory_until_it_is_looked_at_again(
+def test_shared_memory_is_estimated_between_exact_measurements(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     exact_mib = {1: 50.0, 2: 10.0, 3: 400.0}
@@ -473,9 +474,9 @@ def test_what_was_shared_explains_memory_until_it_is_looked_at_again(
     monkeypatch.setattr("judge.sandbox.keeper.memory.proportional_mib", exact)
     monkeypatch.setattr("judge.sandbox.keeper.memory.distinct", list)
     memory = Memory({})
-    pair = [seen(1, 300), seen(2, 300)]
+    pair = [sample_of(1, 300), sample_of(2, 300)]
     assert (memory.used_mib(pair, 500), looked) == (60.0, [1, 2])
-    assert (memory.used_mib(pair, 500), looked) == (50.0, [1, 2])  # at least; no second look
-    assert (memory.used_mib([*pair, seen(3, 450)], 500), looked[2:]) == (460.0, [1, 2, 3])
+    assert (memory.used_mib(pair, 500), looked) == (50.0, [1, 2])  # a bound, not measured again
+    assert (memory.used_mib([*pair, sample_of(3, 450)], 500), looked[2:]) == (460.0, [1, 2, 3])
     memory._next_s = 0.0
     assert (memory.used_mib(pair[:1], 500), looked[5:]) == (50.0, [1])

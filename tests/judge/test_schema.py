@@ -1,4 +1,4 @@
-"""The JSON report: its schema is written down, and reports keep to it."""
+"""The JSON report: the committed schema is current, and reports follow it."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ JUDGING = Judging(
 )
 
 
-def test_the_schema_written_down_is_the_one_in_force() -> None:
+def test_the_committed_schema_is_current() -> None:
     committed = (ROOT / "docs/report.schema.json").read_bytes()
     assert committed == json_schema(), "run `make schema`"
 
 
-def test_a_report_reads_as_the_schema_says() -> None:
+def test_a_report_follows_the_schema() -> None:
     assert msgspec.json.decode(to_json(JUDGING), type=Report) == report_of(JUDGING)
 
 
@@ -55,6 +55,6 @@ def test_the_schema_names_every_field_and_no_other() -> None:
 @pytest.mark.parametrize(
     ("old", "new"), [('"AC"', '"OK"'), ('"score": 15', '"score": -1'), ('"scale"', '"scales"')]
 )
-def test_what_is_no_report(old: str, new: str) -> None:
+def test_a_wrong_report_is_rejected(old: str, new: str) -> None:
     with pytest.raises(msgspec.ValidationError):
         msgspec.json.decode(to_json(JUDGING).decode().replace(old, new, 1), type=Report)

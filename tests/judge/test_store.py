@@ -1,4 +1,4 @@
-"""The store: what is kept, by how many at once, and what becomes of a file that is no use."""
+"""The store: what is kept, by several processes at once, also when its file is of no use."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from judge.problem.verdict import Verdict
 from judge.sandbox.facts import RunLimits
 
 
-def test_what_is_put_is_got_by_kind_and_key(tmp_path: Path) -> None:
+def test_values_are_found_by_kind_and_key(tmp_path: Path) -> None:
     path = tmp_path / "new" / "store"
     many = {str(number): str(number * number) for number in range(2_000)}
     with Store(path) as store:
@@ -42,7 +42,7 @@ def test_a_damaged_file_is_replaced(tmp_path: Path, content: bytes) -> None:
         assert store.get("a", ["b"]) == {"b": "c"}
 
 
-def test_where_nothing_can_be_written_nothing_is_kept(tmp_path: Path) -> None:
+def test_where_no_file_can_be_written_values_stay_in_memory(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     for path in (tmp_path / "file" / "store", tmp_path):  # below a file; a directory
         with Store(path) as store:
@@ -51,7 +51,7 @@ def test_where_nothing_can_be_written_nothing_is_kept(tmp_path: Path) -> None:
     assert [p.name for p in tmp_path.iterdir()] == ["file"]
 
 
-def test_several_processes_at_once(tmp_path: Path) -> None:
+def test_several_processes_write_at_once(tmp_path: Path) -> None:
     path = tmp_path / "store"
     code = (
         "import sys; from pathlib import Path; from judge.kit.store import Store\n"
@@ -80,7 +80,7 @@ def test_a_verdict_is_kept_for_what_it_depends_on(tmp_path: Path) -> None:
     with Store(tmp_path / "store") as store:
         kept = KeptVerdicts(store, source, limits, manifest)
         kept.keep({"a": Verdict.WA, "b": Verdict.JE, "not in it": Verdict.AC})
-        assert kept.look_up(cases) == {"a": Verdict.WA}  # a judge's failure may be mended
+        assert kept.look_up(cases) == {"a": Verdict.WA}  # a judge error is not kept
         renamed = Submission("y.py", source.language, source.source)
         assert KeptVerdicts(store, renamed, limits, manifest).look_up(cases) == {"a": Verdict.WA}
         for other in (

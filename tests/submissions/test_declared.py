@@ -1,4 +1,4 @@
-"""Every submission is declared, says its idea first, and is a single file of the plain language."""
+"""Every submission is declared, says its idea first, and is one file without libraries."""
 
 import ast
 import re
@@ -53,7 +53,7 @@ def test_first_line_says_the_idea_or_the_bug(name):
     assert len(line.split()) >= 4, f"expected a sentence, found {line!r}"
 
 
-def test_no_two_wrong_ones_say_the_same():
+def test_no_two_submissions_have_the_same_first_line():
     wrong = [name for name in FILES if not name.startswith("accepted/")]
     assert len({first_line(name) for name in wrong}) == len(wrong)
 
@@ -80,7 +80,7 @@ def test_directory_and_declaration_agree(name):
     directory = name.partition("/")[0]
     verdicts = expected(name)
     if directory == "accepted":
-        # Nothing but the time of the last group may fail: the textbook method is welcome here.
+        # Only the last group may fail, and only by time: the textbook method is welcome here.
         last = PROBLEM.group_names[-1]
         assert {group for group, permitted in verdicts.items() if permitted != {Verdict.AC}} <= {
             last
@@ -91,7 +91,7 @@ def test_directory_and_declaration_agree(name):
         assert any(own <= permitted for permitted in verdicts.values())
 
 
-def test_the_kinds_that_the_kit_needs_are_there():
+def test_there_are_enough_submissions_of_each_kind():
     def count(directory, suffix=""):
         return sum(n.startswith(directory + "/") and n.endswith(suffix) for n in FILES)
 

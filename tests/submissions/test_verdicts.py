@@ -1,10 +1,11 @@
 """Each submission gets, in each group, the verdict that problem.toml declares for it.
 
-A group ends at its first failure, which decides its verdict. The groups whose files
-are rebuilt, not committed, are left out while they are not built.
+A group ends at its first failure, which decides its verdict. Groups whose files are not
+committed are left out until `make data` has built them.
 
-Judging all of them on all groups takes minutes, and is `slow`. The fast tests judge those
-that need no compiler on the committed groups; of the groups that they pass, on a part.
+To judge all submissions on all groups takes minutes: that is `slow`. The fast tests judge the
+Python submissions and one compiled one on the committed groups. Of a group where AC is
+expected, they judge only the first cases.
 """
 
 import pytest
@@ -23,7 +24,7 @@ BUILT = {case.group for case in find_cases(DATA, PROBLEM)}
 COMMITTED = [name for name in GROUPS if name in ("sample", "static", "small")]
 REBUILT = [name for name in GROUPS if name not in COMMITTED]
 PYTHON = [name for name in PROBLEM.submissions if name.endswith(".py")]
-COMPILED = "accepted/textbook.cpp"  # one for all: compiling is tested elsewhere
+COMPILED = "accepted/textbook.cpp"  # one stands for all: compiling is tested elsewhere
 
 
 def differences(name, groups, globs=()):
@@ -52,10 +53,10 @@ def passed(name, groups):
 
 
 def decided(name):
-    """Return the groups to judge it on: all that are committed, and some that are rebuilt.
+    """Return the groups to judge it on: the committed ones, and most of those that are rebuilt.
 
-    Where two verdicts are permitted (`WA|TLE`: wrong, and too slow), to learn which of them
-    it is costs a whole time limit and shows nothing.
+    A rebuilt group that permits two verdicts (`WA|TLE`: wrong, and too slow) is left out: which
+    of them occurs costs a whole time limit and shows nothing.
     """
     one = [group for group in REBUILT if len(PROBLEM.expected(name, group)) == 1]
     return COMMITTED + one
@@ -83,7 +84,7 @@ def test_every_group_is_decided_by_some_submission():
 
 
 @pytest.mark.slow
-def test_the_rebuilt_groups_were_among_them():
+def test_the_rebuilt_groups_are_built():
     missing = [group for group in REBUILT if group not in BUILT]
     if missing:
         pytest.skip(f"no data for {', '.join(missing)}: run 'make data'")

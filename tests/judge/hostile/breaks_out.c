@@ -1,4 +1,4 @@
-/* Answers right only if one of many ways to more power is open. Expect: WA */
+/* Answers right only if one of many ways to more privileges works. Expect: WA */
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <sched.h>

@@ -1,4 +1,4 @@
-"""Burns time in children that nobody waits for, none long. Expect: TLE RTE"""
+"""Burns time in short-lived children that are reaped automatically. Expect: TLE RTE"""
 
 import os
 import signal

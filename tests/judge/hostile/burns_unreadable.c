@@ -1,4 +1,4 @@
-/* Becomes unreadable, so that counters leave it; burns in children unseen. Expect: TLE RTE */
+/* Executes an unreadable copy, which loses its counter; burns time in children. Expect: TLE RTE */
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-"""Prints what moves a terminal's cursor, and complains in the same way. Expect: RTE"""
+"""Prints terminal escape sequences, to standard error as well. Expect: RTE"""
 
 import sys
 

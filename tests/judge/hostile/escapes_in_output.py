@@ -1,4 +1,4 @@
-"""Prints what moves a terminal's cursor. Expect: WA"""
+"""Prints terminal escape sequences. Expect: WA"""
 
 import sys
 

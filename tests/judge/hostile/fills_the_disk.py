@@ -1,4 +1,4 @@
-"""Writes until nothing more fits, then answers right. Expect: AC"""
+"""Fills all scratch space, then answers right. Expect: AC"""
 
 import os
 import sys

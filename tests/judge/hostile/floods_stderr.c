@@ -1,4 +1,4 @@
-/* Complains for ever. Expect: OLE */
+/* Prints to standard error for ever. Expect: OLE */
 #include <unistd.h>
 
 int main(void) {

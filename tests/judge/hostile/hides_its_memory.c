@@ -1,4 +1,4 @@
-/* Fills memory in many processes that keep others from looking at them. Expect: MLE */
+/* Fills memory in many processes whose memory maps nobody may read. Expect: MLE */
 #include <stdlib.h>
 #include <sys/prctl.h>
 #include <unistd.h>

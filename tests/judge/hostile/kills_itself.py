@@ -1,4 +1,4 @@
-"""Answers right, then kills itself, twice if it must. Expect: RTE"""
+"""Answers right, then kills itself, also when it is repeated. Expect: RTE"""
 
 import os
 import signal

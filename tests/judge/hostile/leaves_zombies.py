@@ -1,4 +1,4 @@
-"""Waits for none of its children. Expect: AC"""
+"""Leaves zombies: it waits for none of its children. Expect: AC"""
 
 import os
 import sys

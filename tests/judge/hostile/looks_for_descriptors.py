@@ -1,4 +1,4 @@
-"""Answers right only if a descriptor was left open to it. Expect: WA"""
+"""Answers right only if it has inherited a descriptor. Expect: WA"""
 
 import os
 import sys

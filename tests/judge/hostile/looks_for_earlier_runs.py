@@ -1,4 +1,4 @@
-"""Answers right from the second case on only if the first left it a note. Expect: WA"""
+"""Answers the second case right only if files of the first run are left. Expect: WA"""
 
 import contextlib
 import os

@@ -1,4 +1,4 @@
-/* Starts threads until it may not, then answers right. Expect: AC */
+/* Starts threads until that is refused, then answers right. Expect: AC */
 #include <pthread.h>
 #include <stdio.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-/* Ends its first thread, which is the one looked at; another fills memory. Expect: MLE */
+/* Ends its first thread, which shows the memory in /proc; another fills memory. Expect: MLE */
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>

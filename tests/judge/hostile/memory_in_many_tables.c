@@ -1,4 +1,4 @@
-/* The tables of where memory is, a little in each of many processes. Expect: MLE */
+/* Fills memory with page tables, a little in each of many processes. Expect: MLE */
 #include <stdio.h>
 #include <sys/mman.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-"""Fills memory that no process shows: an anonymous file. Expect: MLE RTE"""
+"""Fills an anonymous file, which is memory that no process shows. Expect: MLE RTE"""
 
 import os
 

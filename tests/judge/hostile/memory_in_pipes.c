@@ -1,4 +1,4 @@
-/* Would leave one page of every 2 MiB in a pipe, which keeps all of them. Expect: AC */
+/* Tries to leave single pages in pipes, each of which keeps 2 MiB of memory. Expect: AC */
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* The tables of single pages, far from each other, in two processes. Expect: MLE */
+/* Fills memory with the page tables of single pages that lie far apart. Expect: MLE */
 #include <stdio.h>
 #include <sys/mman.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-/* Fills memory with nothing but the kernel's tables of where memory is. Expect: MLE */
+/* Fills memory with nothing but page tables. Expect: MLE */
 #include <stdio.h>
 #include <sys/mman.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-"""Fills what it may write to, and memory up to the limit. Expect: MLE"""
+"""Fills all scratch space, and its own memory nearly up to the limit. Expect: MLE"""
 
 import os
 import time

@@ -1,4 +1,4 @@
-/* Lends its memory to a child, as everyone does who starts a program. Expect: AC */
+/* Shares its memory with a child by vfork, as is usual to start a program. Expect: AC */
 #define _DEFAULT_SOURCE
 #include <stdio.h>
 #include <stdlib.h>

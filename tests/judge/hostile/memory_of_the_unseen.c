@@ -1,4 +1,4 @@
-/* The same in a child that nobody waits for, so that its peak is never told. Expect: MLE */
+/* Fills memory in a child that is reaped automatically, so no peak is reported. Expect: MLE */
 #include <pthread.h>
 #include <signal.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* Fills memory after a fork, so that nothing is shared any more. Expect: MLE */
+/* Overwrites all memory after a fork, so that nothing is shared any more. Expect: MLE */
 #include <stdlib.h>
 #include <unistd.h>
 

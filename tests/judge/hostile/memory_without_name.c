@@ -1,4 +1,4 @@
-/* Answers right if it may keep memory that it shares and unmaps. Expect: RTE */
+/* Answers right if it can fill shared memory and drop it without freeing it. Expect: RTE */
 #include <fcntl.h>
 #include <stdio.h>
 #include <sys/mman.h>

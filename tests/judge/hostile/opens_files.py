@@ -1,4 +1,4 @@
-"""Opens pipes until it may not, then answers right. Expect: AC"""
+"""Opens pipes until that is refused, then answers right. Expect: AC"""
 
 import os
 import sys

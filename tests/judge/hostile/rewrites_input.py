@@ -1,4 +1,4 @@
-"""Writes over its own input and answers what it wrote. Expect: AC WA"""
+"""Tries to overwrite its own input, then answers right. Expect: AC WA"""
 
 import os
 import sys

@@ -1,4 +1,4 @@
-"""Writes over its own source; what runs next is the old one still. Expect: AC"""
+"""Tries to overwrite and delete its own source; the next run needs it. Expect: AC"""
 
 import contextlib
 import os

@@ -1,4 +1,4 @@
-/* Answers right, then reads what it must not. Expect: RTE */
+/* Answers right, then reads from an invalid address. Expect: RTE */
 #include <stdio.h>
 
 int main(void) {

@@ -1,4 +1,4 @@
-"""Stops and kills all that it can reach, then answers right. Expect: AC"""
+"""Stops and kills every process that it can, then answers right. Expect: AC"""
 
 import os
 import signal

@@ -1,4 +1,4 @@
-/* Needs an instance that needs another, without end. Expect: CE */
+/* Instantiates templates without end. Expect: CE */
 template <int N>
 int deeper() {
     return deeper<N + 1>();

@@ -1,4 +1,4 @@
-/* One error, a million times. Expect: CE */
+/* Has a million errors. Expect: CE */
 #define E0 int error = ;
 #define E1 E0 E0
 #define E2 E1 E1

@@ -1,4 +1,4 @@
-/* Makes the assembler read the accounts. Expect: CE */
+/* Makes the assembler read the account files. Expect: CE */
 __asm__(".incbin \"/etc/passwd\"");
 __asm__(".incbin \"/etc/shadow\"");
 

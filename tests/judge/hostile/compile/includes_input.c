@@ -1,4 +1,4 @@
-/* Includes its own input, which is empty, and hangs where it is not. Expect: AC CE */
+/* Includes the compiler's standard input, which is empty or refused. Expect: AC CE */
 #include "/dev/stdin"
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* Includes a file without an end. Expect: CE */
+/* Includes a file that never ends. Expect: CE */
 #include "/dev/zero"
 
 int main(void) { return 0; }

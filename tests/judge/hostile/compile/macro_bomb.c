@@ -1,4 +1,4 @@
-/* Two to the power of forty additions. Expect: CE */
+/* Expands to two to the power of forty additions. Expect: CE */
 #define A0 1 +
 #define A1 A0 A0
 #define A2 A1 A1

@@ -1,4 +1,4 @@
-/* Instantiates templates twice as many at every depth. Expect: CE */
+/* Doubles the number of template instances at every depth. Expect: CE */
 template <int Depth, long Path>
 struct Tree {
     static const long size = Tree<Depth - 1, 2 * Path>::size + Tree<Depth - 1, 2 * Path + 1>::size;
