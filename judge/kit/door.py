@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 ENVIRONMENT = ROOT / ".venv"
 MINIMUM = (3, 11)
 PACKAGES = ("msgspec", "rich", "drawsvg")  # that commands import
-FAILED = 2
+FAILED, INTERRUPTED = 2, 130
 
 
 def start(module, script=None):  # type: (str, str | None) -> None
@@ -31,10 +31,14 @@ def start(module, script=None):  # type: (str, str | None) -> None
         if python.exists():
             refuse(path.name, "{} cannot be executed by this user".format(python))  # noqa: UP032
         if os.path.lexists(str(python)):
-            refuse(path.name, "the Python of .venv is gone: run 'make setup' again")
+            refuse(path.name, "the Python of .venv is gone: run 'make setup'")
     if sys.version_info < MINIMUM or not all(map(find_spec, PACKAGES)):
         refuse(path.name, "the kit is not set up: run 'make setup' first")
-    sys.exit(import_module(module).main(sys.argv[1:]))
+    try:
+        main = import_module(module).main
+    except KeyboardInterrupt:
+        sys.exit(INTERRUPTED)
+    sys.exit(main(sys.argv[1:]))
 
 
 def refuse(name, why):  # type: (str, str) -> None

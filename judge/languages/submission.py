@@ -109,8 +109,7 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
     """Compile once, in the sandbox. Raises CompileError, LanguageError or SandboxError."""
     if len(submission.source) > limits.code_kib << 10:
         raise CompileError(
-            f"the source is {len(submission.source) / 1024:.0f} KiB long or more, "
-            f"limit {limits.code_kib} KiB"
+            f"the source has {-(-len(submission.source) // 1024)} KiB, limit {limits.code_kib} KiB"
         )
     tools = toolchain(submission.language)
     directory = sandbox.new_program_directory()

@@ -96,13 +96,6 @@ class Problem(Strict, frozen=True):
         """The groups in their order, `sample` first."""
         return [group.name for group in self.groups]
 
-    def group(self, name: str) -> Group:
-        """Return the group called `name`; KeyError names the nearest if there is none."""
-        for group in self.groups:
-            if group.name == name:
-                return group
-        raise KeyError(f"no group {name!r}{did_you_mean(name, self.group_names)}")
-
     def expected(self, submission: str, group: str) -> frozenset[Verdict]:
         """Return the permitted verdicts of a submission (path below submissions/) in a group.
 

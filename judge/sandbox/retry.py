@@ -1,4 +1,7 @@
-"""When a run is repeated. All rules stand here, each for a fault of the machine.
+"""When a run is repeated: the rules for single runs, each for a fault of the machine.
+
+`judge.pool` repeats a task of a worker that broke, and a run over the declared limit if this
+machine turns out to be slower than the one that set it.
 
 A program never gets a repeat by what it prints. What disturbs a measurement only ever adds
 to it, so a run that was too slow beside others says little, and one alone says more.
