@@ -28,7 +28,6 @@ from judge.problem.declaration import load
 from judge.problem.manifest import MANIFEST, Entry, load_manifest, save_manifest
 
 OK, NOT_OK = 0, 1
-PIPED_WIDTH = 400  # wide enough for any row, so that nothing is cut
 SHARE_OF_YES = (30, 70)  # per cent; outside, a constant answer is right too often
 FEWEST_ANSWERS = 10  # fewer say nothing about a share
 
@@ -137,10 +136,11 @@ def _seed(options: argparse.Namespace) -> int:
 
 
 def _list(options: argparse.Namespace) -> int:
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console(width=None if sys.stdout.isatty() else PIPED_WIDTH)
+    from judge.kit.console import PlainConsole
+
+    console = PlainConsole()
     families = Table("family", "in", "makes", "parameters")
     for family in FAMILIES.values():
         defaults = " ".join(f"{name}={value}" for name, value in family.defaults.items())

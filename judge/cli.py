@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import errno
 import os
 import signal
 import sys
@@ -22,7 +21,6 @@ if TYPE_CHECKING:
     from judge.languages.submission import Submission
     from judge.results import Judging
 
-FILE_WIDTH = 200  # of tables where nothing has to fit a screen
 EXIT_ACCEPTED, EXIT_REJECTED, EXIT_ERROR = 0, 1, FAILED
 
 EXAMPLES = """\
@@ -84,18 +82,10 @@ def _judge(asked: argparse.Namespace) -> int:
         stop_on_first=asked.stop_on_first,
         no_wall=asked.no_wall,
     )
-    from rich.console import Console
-
+    from judge.kit.console import PlainConsole
     from judge.reports.terminal import live, print_report
 
-    class OwnConsole(Console):
-        """A console whose lost reader is an error like others, not the end of the process."""
-
-        def on_broken_pipe(self) -> None:
-            raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))
-
-    width = None if sys.stdout.isatty() else FILE_WIDTH
-    console = OwnConsole(highlight=False, width=width)
+    console = PlainConsole()
     with live(console) as events:
         judging = judge(submission, problem, options, events=events)
     print_report(console, judging)

@@ -123,6 +123,7 @@ def _judging(
         groups=groups,
         message=ready.compile_error,
         wall=ready.wall,
+        limit_given=time_limit.given,
     )
 
 
@@ -136,9 +137,9 @@ class _TimeLimit:
     def __init__(self, problem: Problem, asked_s: float | None, pool: Pool, events: Events) -> None:
         self._pool = pool
         self._events = events
-        self._asked_for = asked_s is not None
+        self.given = asked_s is not None
         self.declared_s = problem.limits.time_limit_s
-        self.scale: Scale | None = None if self._asked_for else kept_scale(problem)
+        self.scale: Scale | None = None if self.given else kept_scale(problem)
         self._base = RunLimits(
             asked_s or self.declared_s, problem.limits.memory_mib, problem.limits.output_mib
         )
@@ -151,7 +152,7 @@ class _TimeLimit:
 
     def limits_here(self) -> RunLimits:
         """Return the limits as they hold on this machine, which may have to be measured now."""
-        if self.scale is None and not self._asked_for:
+        if self.scale is None and not self.given:
             self._events.phase("timing the reference solution")
             self.scale = self._pool.measure_scale()
             self._events.phase("judging")
@@ -171,5 +172,8 @@ def _ready(pool: Pool, compiling: Pending[Ready], submission: Submission) -> Rea
 
 def _vouched_for(submission: Submission, problem: Problem) -> bool:
     """Tell whether the kit vouches for it: its reference, brute force, declared submissions."""
-    own = {REFERENCE, BRUTE_FORCE, *(SUBMISSIONS / name for name in problem.submissions)}
-    return Path(submission.name).resolve() in own
+    own = (REFERENCE, BRUTE_FORCE, *(SUBMISSIONS / name for name in problem.submissions))
+    return submission.file is not None and any(
+        submission.file == (found.st_dev, found.st_ino)
+        for found in (path.stat() for path in own if path.is_file())
+    )

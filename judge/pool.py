@@ -28,7 +28,6 @@ from judge.results import CaseResult, Scale, not_run
 from judge.run import run_case
 from judge.sandbox.facts import RunLimits
 from judge.sandbox.probe import NoWallError, walled_sandbox
-from judge.sandbox.retry import repeat_alone
 from judge.sandbox.sandbox import Sandbox
 
 T = TypeVar("T")
@@ -168,11 +167,10 @@ class Pending(Generic[T]):
 
 @dataclass(frozen=True, slots=True)
 class _Run:
-    """A run under way. beside_others: others may go on beside it; pending None: it is not run."""
+    """A run under way; pending None: it is not run."""
 
     case: Case
     limits: RunLimits
-    beside_others: bool
     pending: Pending[CaseResult] | None
 
 
@@ -234,8 +232,8 @@ class Pool:
         """Yield one result per case, in order.
 
         limits_here: returns the limits as they hold on this machine, at least `limits`; it is
-        called when a run first goes over the time limit, while nothing else runs. When a run is
-        repeated, alone, that run decides (see `judge.sandbox.retry`).
+        called when a run first goes over the time limit, while nothing else runs. If they are
+        larger, such runs are repeated, and the repeated run decides.
         """
         waiting = deque(cases)
         running: deque[_Run] = deque()
@@ -250,14 +248,12 @@ class Pool:
                 continue
             result = self.result(run.pending)
             if result.verdict is Verdict.TLE:
-                for other in running:
-                    if other.pending is not None:
-                        _wait_for(other.pending.future)
                 if not known:
+                    for other in running:  # the machine is measured while nothing else runs
+                        if other.pending is not None:
+                            _wait_for(other.pending.future)
                     limits, known = limits_here(), True
-                if limits != run.limits or repeat_alone(
-                    result.cpu_s, limits, beside_others=run.beside_others
-                ):
+                if limits != run.limits:
                     result = self._repeated(result, limits)
             if stop_on_first and result.verdict not in (None, Verdict.AC):
                 stopped.add(run.case.group)
@@ -266,7 +262,7 @@ class Pool:
     def _run(self, case: Case, limits: RunLimits, stopped: set[str]) -> _Run:
         runs = case.group not in stopped
         pending = self._start(run_task, self._job, limits, case) if runs else None
-        return _Run(case, limits, self._jobs > 1, pending)
+        return _Run(case, limits, pending)
 
     def _repeated(self, first: CaseResult, limits: RunLimits) -> CaseResult:
         result = self.result(self._start(run_task, self._job, limits, first.case))

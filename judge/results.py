@@ -28,9 +28,9 @@ class Scale:
 class CaseResult:
     """The result of one test case; verdict None: it was not run (`message` says why).
 
-    mismatch: for WA, the first difference. retried: it was over the time limit and
-    was repeated alone (see `judge.sandbox.retry`); first_verdict: of the first of these
-    two runs, if it differs.
+    mismatch: for WA, the first difference. retried: it was over the declared
+    time limit, and was repeated under that of this machine, which is slower; first_verdict: of
+    the first of these two runs, if it differs.
     """
 
     case: Case
@@ -70,6 +70,7 @@ class Judging:
     times slower than the calibrating machine this one is, and where that figure comes from,
     None if it was not needed. partial: the cases are not all of the kit's, so the score says
     less. message: the compiler's, for CE. wall: the wall around every run, or None.
+    limit_given: the time limit is not the declared one, scaled or not.
     """
 
     submission: str
@@ -85,6 +86,7 @@ class Judging:
     groups: tuple[GroupResult, ...]
     message: str = ""
     wall: str | None = None
+    limit_given: bool = False
 
     @property
     def cases(self) -> tuple[CaseResult, ...]:

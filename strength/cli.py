@@ -12,11 +12,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from judge.kit.command import add_jobs, run
+from judge.kit.console import PlainConsole
 from judge.kit.files import check_place, write_report
 from judge.kit.processors import processors
 from judge.kit.progress import progress_bar
 from judge.kit.store import Store
-from judge.kit.text import did_you_mean
+from judge.kit.text import counted, did_you_mean
 from judge.languages.submission import SubmissionError
 from judge.machine import scale_of
 from judge.problem.data import Data, load_data
@@ -24,7 +25,6 @@ from judge.problem.declaration import Problem, load
 from judge.sandbox.sandbox import Sandbox
 from strength.analysis import Analysis, analyse
 from strength.mutants import cli as mutants
-from strength.output import counted, table_console
 from strength.page import page
 from strength.show import as_json, print_cases, print_findings, print_groups
 from strength.table import Matrix, build
@@ -95,7 +95,7 @@ def _judged(
 
 
 def _print(matrix: Matrix, analysis: Analysis, seconds: float, *, cases: bool) -> None:
-    console = table_console()
+    console = PlainConsole()
     print_groups(console, analysis)
     if cases:
         print_cases(console, matrix)

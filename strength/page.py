@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from html import escape
 
+from judge.kit.text import counted
 from judge.problem.verdict import Verdict
 from strength.analysis import Analysis
-from strength.output import counted
 from strength.show import HAND_MADE, LETTERS, cell_text, family_text
 from strength.table import Matrix
 

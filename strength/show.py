@@ -7,9 +7,9 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from judge.kit.text import counted
 from judge.problem.verdict import Verdict
 from strength.analysis import Analysis, GroupCell
-from strength.output import counted
 from strength.table import Matrix
 
 LETTERS = {verdict: verdict.value[0] for verdict in Verdict} | {Verdict.AC: "."}

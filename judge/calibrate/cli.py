@@ -11,12 +11,12 @@ import re
 from collections.abc import Sequence
 from functools import partial
 
-from rich.console import Console
 from rich.table import Table
 
 from judge.calibrate.margins import Margins, Time, margins, measure
 from judge.judging import JudgeError
 from judge.kit.command import run
+from judge.kit.console import PlainConsole
 from judge.kit.files import write_whole
 from judge.kit.paths import PROBLEM_FILE
 from judge.kit.store import Store
@@ -66,7 +66,7 @@ def _calibrate(parser: argparse.ArgumentParser, arguments: Sequence[str] | None)
         raise JudgeError(f"--only {only!r}: expected part of a name in accepted/ or a slow one's")
     with Store() as store:
         cases = load_data(problem, store=store).chosen
-    console = Console(highlight=False, soft_wrap=True)
+    console = PlainConsole()
     forget_scale()  # the next judging that needs it measures this machine again
     with Sandbox(probe().wall) as sandbox:
         reference_s = round(reference_cpu_s(problem, sandbox), 2)

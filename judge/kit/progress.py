@@ -40,7 +40,6 @@ def progress_bar(
     total: None as long as nobody knows. console: where; standard error if None. Where that
     is no terminal, nothing is shown.
     """
-    from rich.console import Console
     from rich.progress import (
         BarColumn,
         MofNCompleteColumn,
@@ -50,7 +49,9 @@ def progress_bar(
         TimeElapsedColumn,
     )
 
-    console = console or Console(stderr=True)
+    from judge.kit.console import PlainConsole
+
+    console = console or PlainConsole(stderr=True)
     text = TextColumn("{task.description}", markup=False)
     columns = (SpinnerColumn(), text, BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(

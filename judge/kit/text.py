@@ -52,3 +52,12 @@ def _printable_text(line: str, width: int) -> str:
         c if c.isprintable() else c.encode("unicode_escape").decode() for c in line[: width + 1]
     )
     return shown if len(shown) <= width else shown[:width] + ELLIPSIS
+
+
+def counted(number: int, noun: str) -> str:
+    """Return a number with its noun.
+
+    >>> counted(1, "case"), counted(1_000, "case")
+    ('1 case', '1,000 cases')
+    """
+    return f"{number:,} {noun}" if number == 1 else f"{number:,} {noun}s"

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import codecs
+import os
 import re
+import stat
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO
@@ -19,6 +21,8 @@ from judge.sandbox.facts import RunLimits, Stop
 from judge.sandbox.sandbox import Command, Sandbox, SandboxError
 
 COMPILER_OUTPUT_MIB = 8
+_KINDS = {stat.S_IFDIR: "a directory", stat.S_IFIFO: "a pipe", stat.S_IFSOCK: "a socket"}
+_KINDS |= dict.fromkeys((stat.S_IFCHR, stat.S_IFBLK), "a device")
 LONGEST_SOURCE_BYTES = 1 << 24  # far beyond any limit on the source's length
 
 
@@ -32,11 +36,15 @@ class CompileError(KitError):
 
 @dataclass(frozen=True, slots=True)
 class Submission:
-    """A source text in a known language. name: its path as given, or `standard input`."""
+    """A source text in a known language. name: its path as given, or `standard input`.
+
+    file: device and inode of the file that the source was read from, None without one.
+    """
 
     name: str
     language: Language
     source: bytes
+    file: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,11 +72,8 @@ def read_source(file: IO[bytes]) -> bytes:
 
 def read_submission(path: Path, language: Language | None = None) -> Submission:
     """Read a file; its suffix tells the language, else its text. Raises SubmissionError."""
-    if path.is_dir():
-        raise SubmissionError(f"{path}: expected a source file, found a directory")
     try:
-        with path.open("rb") as file:
-            source = read_source(file)
+        source, file = _read_once(path)
     except FileNotFoundError:
         raise SubmissionError(f"{path}: no such file") from None
     except OSError as error:
@@ -80,7 +85,30 @@ def read_submission(path: Path, language: Language | None = None) -> Submission:
             f"{path}: unknown language: expected a suffix among {suffixes}, "
             f"found {path.suffix!r} (or give --language)"
         )
-    return from_source(source, str(path), known)
+    return replace(from_source(source, str(path), known), file=file)
+
+
+def _read_once(path: Path) -> tuple[bytes, tuple[int, int]]:
+    """Return the content of a regular file, and its device and inode. Raises OSError.
+
+    What is judged, vouched for and compiled is what this one descriptor shows, whatever becomes
+    of the path. A link is followed only to a file of its own owner: in a directory that somebody
+    else filled, it could lead to what only this user may read.
+    """
+    descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | os.O_NOCTTY)
+    try:
+        found, named = os.fstat(descriptor), path.lstat()
+        if not stat.S_ISREG(found.st_mode):
+            kind = _KINDS.get(stat.S_IFMT(found.st_mode), "something else")
+            raise SubmissionError(f"{path}: expected a source file, found {kind}")
+        if stat.S_ISLNK(named.st_mode) and found.st_uid != named.st_uid:
+            raise SubmissionError(
+                f"{path}: expected a link to a file of its owner, found another user's"
+            )
+        with os.fdopen(descriptor, "rb", closefd=False) as file:
+            return read_source(file), (found.st_dev, found.st_ino)
+    finally:
+        os.close(descriptor)
 
 
 def from_source(source: bytes, name: str, language: Language | None = None) -> Submission:
@@ -123,6 +151,7 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
         time_limit_s=limits.compilation_time_s,
         memory_mib=limits.compilation_memory_mib,
         output_mib=COMPILER_OUTPUT_MIB,
+        elapsed_s=limits.compilation_time_s,
     )
     inside = sandbox.inside(directory)
     printed = sandbox.new_directory("compiler-") / "output"

@@ -73,7 +73,7 @@ def _case(suite: ET.Element, result: CaseResult) -> None:
     facts = f"{result.cpu_s} s CPU, {result.elapsed_s} s elapsed, {result.memory_mib} MiB"
     if result.retried:
         first = f", {result.first_verdict} at first" if result.first_verdict else ""
-        facts += f", repeated alone{first}"
+        facts += f", repeated{first}"
     ET.SubElement(test, "system-out").text = facts
 
 

@@ -42,8 +42,9 @@ class MismatchReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class CaseReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """One test case, in the order of judging; verdict null: not run, and message says why.
 
-    wall_s: elapsed seconds. retried: repeated alone, after a run over the time limit;
-    first_verdict: of the first run, if it differs. mismatch: for WA, new in version 2.
+    wall_s: elapsed seconds. retried: repeated, as this machine is slower than the declared
+    limit assumes; first_verdict: of the first run, if it differs. mismatch: for WA, new in
+    version 2.
     """
 
     case: str

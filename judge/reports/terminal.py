@@ -52,7 +52,7 @@ def case_line(result: CaseResult) -> Text:
         line.append(f"  {result.message.splitlines()[0]}", style="dim")
     if result.retried:
         first = f", {result.first_verdict} at first" if result.first_verdict else ""
-        line.append(f"  (repeated alone{first})", style="yellow")
+        line.append(f"  (repeated{first})", style="yellow")
     return line
 
 
@@ -67,7 +67,7 @@ def print_report(console: Console, judging: Judging) -> None:
         _print_failure(console, failure)
     if judging.changed:
         many = f"{len(judging.changed)} verdicts" if judging.changed[1:] else "1 verdict"
-        said = f"{many} changed when the run was repeated alone; the repeated run decided"
+        said = f"{many} changed when the run was repeated under this slower machine's limit"
         console.print(Text(said, style="yellow"), soft_wrap=True)
     console.print(Text(_limits_line(judging), style="dim"), soft_wrap=True)
     if judging.wall is None:
@@ -147,7 +147,7 @@ def _limits_line(judging: Judging) -> str:
             f"{limits}; {judging.declared_s:g} s declared, machine scale {scale.factor:.2f} "
             f"({scale.source})"
         )
-    if judging.time_limit_s != judging.declared_s:
+    if judging.limit_given:
         return f"{limits}; time limit as asked for ({judging.declared_s:g} s declared)"
     if any(result.verdict is Verdict.TLE for result in judging.cases):
         return f"{limits}; {UNCALIBRATED}"

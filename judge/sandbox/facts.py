@@ -21,13 +21,15 @@ class RunLimits:
     """What one run may use, all of its processes together.
 
     time_limit_s: CPU seconds; memory_mib: peak resident memory; output_mib:
-    standard output and standard error together; processes: alive at once.
+    standard output and standard error together; processes: alive at once; elapsed_s:
+    elapsed seconds, None for what a program needs that is kept waiting.
     """
 
     time_limit_s: float
     memory_mib: int
     output_mib: int
     processes: int = 128
+    elapsed_s: float | None = None
 
     @property
     def kill_cpu_s(self) -> float:
@@ -37,7 +39,7 @@ class RunLimits:
     @property
     def kill_elapsed_s(self) -> float:
         """Elapsed seconds at which a sleeper is ended; waiting for a processor does not count."""
-        return ELAPSED_FACTOR * self.time_limit_s + ELAPSED_MARGIN_S
+        return self.elapsed_s or ELAPSED_FACTOR * self.time_limit_s + ELAPSED_MARGIN_S
 
     @property
     def output_bytes(self) -> int:

@@ -22,11 +22,17 @@ from judge.sandbox.keeper.protocol import (
 
 ANSWER_MARGIN_S = 30.0  # what a keeper may need beyond the limits before it is given up
 END_TIMEOUT_S = 15.0
-LOST = "the keeper of the run was lost"
 
 
 class SandboxError(KitError):
     """The run could not be made or watched; the program is not to blame."""
+
+
+class LostKeeperError(SandboxError):
+    """The keeper of the run is gone, and with it what it saw."""
+
+    def __init__(self, message: str = "the keeper of the run was lost") -> None:
+        super().__init__(message)
 
 
 class Keeper:
@@ -65,10 +71,10 @@ class Keeper:
             stdin.write(encode_request(request))
             stdin.flush()
         except (OSError, ValueError):  # ValueError: closed by hang_up in another thread
-            raise SandboxError(LOST) from None
+            raise LostKeeperError from None
         reply = self._reply(request.kill_elapsed_s + ANSWER_MARGIN_S)
         if reply is None:
-            raise SandboxError(LOST)
+            raise LostKeeperError
         return reply
 
     def _reply(self, timeout_s: float) -> Facts | Failure | None:
@@ -84,7 +90,7 @@ class Keeper:
         except (OSError, ValueError):
             line = b""
         if not line:
-            raise SandboxError(LOST)
+            raise LostKeeperError
         return decode_reply(line)
 
     def hang_up(self) -> None:

@@ -1,34 +1,35 @@
-"""When a run is repeated: the rules for single runs, each for a fault of the machine.
+"""When a run is repeated: once, and only for what the machine did, with evidence.
 
-`judge.pool` repeats a task of a worker that broke, and a run over the declared limit if this
-machine turns out to be slower than the one that set it.
-
-A program never gets a repeat by what it prints. What disturbs a measurement only ever adds
-to it, so a run that was too slow beside others says little, and one alone says more.
+How a program ended is no evidence: one that fails at random could buy itself another try. So
+a run over the time limit is not repeated, and one that was killed is repeated only if the
+kernel ran out of memory meanwhile. (`judge.pool` repeats the task of a worker that broke, and a
+run over the declared limit if this machine turns out to be slower than the one that set it.)
 """
 
 from __future__ import annotations
 
+from pathlib import Path
 from signal import SIGKILL
 
-from judge.sandbox.facts import Facts, RunLimits
+from judge.sandbox.facts import Facts
 
-TRIES = 2  # of a run that could not be made, or that something else killed
+TRIES = 2
 KILLED = 128 + SIGKILL  # how a wall, or a shell, passes SIGKILL on
+VMSTAT = Path("/proc/vmstat")
 
 
 def killed_by_another(facts: Facts) -> bool:
-    """Tell whether a SIGKILL ended the run that the keeper did not send.
-
-    The kernel, out of memory, may have sent it, or a person.
-    """
+    """Tell whether a SIGKILL that the keeper did not send ended the run."""
     return facts.stopped is None and (facts.signal == SIGKILL or facts.exit_status == KILLED)
 
 
-def repeat_alone(cpu_s: float, limits: RunLimits, *, beside_others: bool) -> bool:
-    """Tell whether a run over the time limit is repeated with no run beside it, which decides.
+def out_of_memory_kills(vmstat: Path = VMSTAT) -> int:
+    """Return how many processes the kernel has killed since its start for want of memory.
 
-    It is if other runs went on beside it, or if it came to its own end: then it was not over
-    the limit by much.
+    0 where it does not tell. Source: Linux, Documentation/admin-guide/mm; `oom_kill`.
     """
-    return beside_others or limits.time_limit_s < cpu_s <= limits.kill_cpu_s
+    try:
+        lines = vmstat.read_text().splitlines()
+    except OSError:
+        return 0
+    return next((int(line.split()[1]) for line in lines if line.startswith("oom_kill ")), 0)

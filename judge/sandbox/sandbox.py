@@ -17,8 +17,8 @@ from judge.sandbox.facts import Facts, RunLimits
 from judge.sandbox.keeper.protocol import Failure, Request
 from judge.sandbox.keeper.remove import remove
 from judge.sandbox.keeper.wall import NOBODY, open_to_all
-from judge.sandbox.keepers import Keeper, SandboxError
-from judge.sandbox.retry import TRIES, killed_by_another
+from judge.sandbox.keepers import Keeper, LostKeeperError, SandboxError
+from judge.sandbox.retry import TRIES, killed_by_another, out_of_memory_kills
 from judge.sandbox.wall import PROGRAM, SCRATCH, Wall
 
 __all__ = ["Command", "Sandbox", "SandboxError"]
@@ -95,18 +95,19 @@ class Sandbox:
         stdin: file fed through a pipe, None for an empty one. stdout: file that
         receives at most `limits.output_bytes`. It runs in an empty directory that is
         gone afterwards; compiling: it may write to `command.directory`.
-        A run that could not be made, or that something else killed, is repeated once (see
-        `judge.sandbox.retry`). Raises SandboxError.
+        If the kernel killed it, or its keeper, for want of memory on this machine, it is repeated
+        once (see `judge.sandbox.retry`). Raises SandboxError.
         """
         for _ in range(TRIES - 1):
+            kills = out_of_memory_kills()
             try:
                 facts = self._run(command, limits, stdin, stdout, compiling)
-            except SandboxError:
-                if self._closed:
+            except LostKeeperError:
+                if self._closed or out_of_memory_kills() == kills:
                     raise
-                continue
-            if not killed_by_another(facts):
-                return facts
+            else:
+                if not killed_by_another(facts) or out_of_memory_kills() == kills:
+                    return facts
         return self._run(command, limits, stdin, stdout, compiling)
 
     def _run(

@@ -14,6 +14,7 @@ from rich.table import Table
 from rich.text import Text
 
 from judge.kit.command import add_jobs, whole_number
+from judge.kit.console import PlainConsole
 from judge.kit.files import check_place, write_report
 from judge.kit.paths import DATA
 from judge.kit.processors import processors
@@ -32,7 +33,6 @@ from strength.mutants.campaign import (
     programs,
     run,
 )
-from strength.output import table_console
 
 ALL_KILLED, SURVIVORS = 0, 1
 HEADINGS = ("program", "mutants", "WA", "RTE", "TLE", "light", "heavy", "equivalent", "survived")
@@ -97,7 +97,7 @@ def _campaign(options: argparse.Namespace, problem: Problem) -> Campaign:
 
 def _print(campaign: Campaign, problem: Problem, seconds: float) -> None:
     """Print the table of programs, then every finding that is not as it should be."""
-    console = table_console()
+    console = PlainConsole()
     console.print(_table(campaign, light_groups(problem)))
     considered = [f for f in campaign.findings if f.equivalent is None or f.kill]
     killed = sum(f.kill is not None for f in considered)

@@ -167,6 +167,7 @@ def test_the_machine_is_measured_once_a_verdict_depends_on_it(
     assert executor.measured == 1
     assert executor.limits_s == limits_s
     assert outcome.time_limit_s == limits_s[-1]
+    assert [r.first_verdict for r in outcome.changed] == [Verdict.TLE] * (verdict is Verdict.AC)
     asked = judge(submission, PROBLEM, Options(data=data, time_limit_s=4.0), executor=Slow(scale))
     assert (asked.verdict, asked.time_limit_s, asked.scale) == (Verdict.TLE, 4.0, None)
 

@@ -129,10 +129,10 @@ and more</failure>
 {TOLD}\
     <testcase classname="zoo" name="secret/zoo/1" time="0.3750">
       <failure type="WA" message="&lt;no&gt;">&lt;no&gt;</failure>
-      <system-out>0.125 s CPU, 0.375 s elapsed, 30.5 MiB, repeated alone, TLE at first</system-out>
+      <system-out>0.125 s CPU, 0.375 s elapsed, 30.5 MiB, repeated, TLE at first</system-out>
     </testcase>
     <testcase classname="zoo" name="secret/zoo/2" time="0.3750">
-      <system-out>0.125 s CPU, 0.375 s elapsed, 30.5 MiB, repeated alone</system-out>
+      <system-out>0.125 s CPU, 0.375 s elapsed, 30.5 MiB, repeated</system-out>
     </testcase>
   </testsuite>
 </testsuites>

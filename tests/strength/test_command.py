@@ -7,10 +7,11 @@ import pytest
 from rich.console import Console
 
 from judge.kit import files
+from judge.kit.console import PlainConsole
 from judge.problem.cases import Case
 from judge.problem.declaration import load
 from judge.problem.verdict import Verdict
-from strength import cli, output
+from strength import cli
 from strength.analysis import analyse
 from strength.show import print_findings, print_groups
 from strength.table import Matrix, Row
@@ -58,7 +59,7 @@ def test_nothing_is_cut_where_no_terminal_is(monkeypatch):
     printed = io.StringIO()
     monkeypatch.setattr("sys.stdout", printed)
     analysis = analyse(matrix, problem, families)
-    console = output.table_console()
+    console = PlainConsole()
     assert isinstance(console, Console)
     print_groups(console, analysis)
     print_findings(console, matrix, analysis, needless=False)

@@ -17,6 +17,8 @@ from judge.sandbox.keeper.wall import NOBODY, STARTED, drop, walled
 PR_SET_PDEATHSIG = 1
 SHARED_PROCESSES = 4096
 OPEN_FILES = 512
+# By Python, and by the keeper.
+IGNORED = (signal.SIGPIPE, signal.SIGXFSZ, signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 class LaunchError(Exception):
@@ -93,8 +95,8 @@ def become(request: Request, standard: tuple[int, int, int], wall_starting: int,
         os.setsid()
     for target, fd in enumerate(standard):
         os.dup2(fd, target)
-    for number in (signal.SIGPIPE, signal.SIGXFSZ, signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, signal.SIG_DFL)  # Python ignores some, and exec would keep that
+    for number in IGNORED:
+        signal.signal(number, signal.SIG_DFL)  # exec would keep that they are ignored
     if request.wall and os.getuid() == 0:
         # All walls of root run as one user, who shares this limit among them: what holds the
         # program is set inside the wall.
