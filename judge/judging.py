@@ -70,7 +70,13 @@ def judge(
     """
     options, events = options or Options(), events or Events()
     without_wall = options.no_wall or _vouched_for(submission, problem)
-    job = Job(submission, problem, without_wall, keepers=options.jobs if executor is None else 1)
+    job = Job(
+        submission,
+        problem,
+        without_wall,
+        keepers=options.jobs if executor is None else 1,
+        hidden=(options.data,),
+    )
     events.phase(f"compiling {printable_name(submission.name)} ({submission.language.name})")
     with Store() as store, Pool(job, options.jobs, executor) as pool:
         compiling = pool.prepare()  # goes on while the data is checked

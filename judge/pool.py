@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from types import TracebackType
 from typing import Any, Generic, Self, TypeVar
 
@@ -39,7 +40,8 @@ class Job:
     """What a worker needs to judge one submission: plain data.
 
     without_wall: the program may run without a wall where none works. keepers: how many to
-    start at once, one for each run that goes on in the same worker. key: tells judgings
+    start at once, one for each run that goes on in the same worker. hidden: directories that no
+    program may see, besides those of the kit. key: tells judgings
     apart, so that a worker gets ready once for each.
     """
 
@@ -47,6 +49,7 @@ class Job:
     problem: Problem
     without_wall: bool
     keepers: int = 1
+    hidden: tuple[Path, ...] = ()
     key: str = field(default_factory=lambda: secrets.token_hex(8))
 
 
@@ -59,7 +62,7 @@ class Worker:
         self._program: Program | None = None
         self.users = 0  # tasks that are using it now
         try:
-            self.sandbox = walled_sandbox(job.keepers)
+            self.sandbox = walled_sandbox(job.keepers, job.hidden)
         except NoWallError:
             if not job.without_wall:
                 raise

@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
+import sysconfig
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -75,18 +76,25 @@ def toolchain(language: Language, which: Callable[[str], str | None] = shutil.wh
             raise LanguageError(f"{language.name}: {tool!r} is not installed (not found in PATH)")
         paths[tool] = _behind_rustup(path) if tool == "rustc" else path
     env = {"PATH": SYSTEM_PATH, "LANG": "C.UTF-8", "PYTHONIOENCODING": "utf-8", **language.env}
-    prefixes = {_prefix(Path(path)) for path in paths.values()} - {None}
+    prefixes = {needed for tool, path in paths.items() for needed in _needed(tool, Path(path))}
     return Toolchain(language, paths, env, tuple(sorted(map(str, prefixes))))
 
 
-def _prefix(tool: Path) -> Path | None:
-    """Return the directory that a tool outside the system needs; None for the system's own."""
-    real = tool.resolve()
+def _needed(tool: str, path: Path) -> list[Path]:
+    """Return what must be shown of a tool outside the system: its own tree, or single files.
+
+    A tree that holds more than the tool, such as ~/.local, is not shown; of a Python that is
+    installed there, its standard library is. (What else such a tool needs there is missing.)
+    """
+    real = path.resolve()
     if real.is_relative_to("/usr") or real.is_relative_to("/bin"):
-        return None
-    prefix = real.parent.parent
-    holds_more = any(place.is_relative_to(prefix) for place in (ROOT, Path.home()))
-    return real.parent if holds_more else prefix
+        return []
+    prefix, home = real.parent.parent, Path.home()
+    holds_more = any(place.is_relative_to(prefix) for place in (ROOT, home))
+    if not holds_more and prefix not in (home / ".local", Path("/opt"), Path("/")):
+        return [prefix]
+    library = [Path(sysconfig.get_path("stdlib"))] if tool == "python3" else []
+    return [real, *library]
 
 
 def _own_python() -> str:

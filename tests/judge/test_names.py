@@ -77,7 +77,7 @@ def test_a_link_to_a_file_of_another_user_is_not_followed(source: Source, tmp_pa
 def test_a_path_that_is_swapped_is_not_vouched_for(
     source: Source, data: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("judge.sandbox.probe.candidates", lambda: [])
+    monkeypatch.setattr("judge.sandbox.probe.candidates", lambda *_: [])
     path = source("mine.py", ECHO)
     submission = read_submission(path)
     path.unlink()
@@ -92,7 +92,7 @@ def test_a_path_that_is_swapped_is_not_vouched_for(
 def test_the_kits_own_programs_are_vouched_for_by_any_path(
     tmp_path: Path, data: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("judge.sandbox.probe.candidates", lambda: [])
+    monkeypatch.setattr("judge.sandbox.probe.candidates", lambda *_: [])
     link = tmp_path / "link.py"
     link.symlink_to(REFERENCE)
     shutil.rmtree(data / "secret")

