@@ -1,9 +1,10 @@
-"""A control group (cgroup v2) of its own for one program, where this user may make one.
+"""The control groups of a keeper and of what it runs, where this user may make some.
 
-A process cannot leave its control group. So the kernel counts all CPU time there, kills all
-processes at once, and, where the controllers are enabled, limits memory and processes between
-two samples. Nothing requires it.
-Source: the kernel's Documentation/admin-guide/cgroup-v2.rst
+The keeper moves into them once, so every program is born there, and no process can leave. So the
+kernel counts the CPU time of all of them, lists them, and, where the controllers are
+enabled, limits their memory, its own included, and their number. Both versions of the interface
+are supported: one directory for all controllers (v2), or one for each (v1).
+Source: Linux, Documentation/admin-guide/cgroup-v2.rst, cgroup-v1/memory.rst, pids.rst
 """
 
 from __future__ import annotations
@@ -14,65 +15,122 @@ from pathlib import Path
 
 from judge.sandbox.keeper.proc import read
 
-SLACK_MIB = 16  # page tables and the wall's own; sampling finds what is over the limit itself
+SLACK_MIB = 16.0  # for the wall's own processes; what is over the limit itself is sampled
+UNLIMITED = -1
 
 
 class Cgroup:
-    """The control group of the process `pid`, which has started no other yet.
+    """The control groups of this process: none of `places` that the kernel refuses.
 
-    directory: where to make it. If that is None, or the kernel refuses, no method does anything.
+    places: where to make one, by controller (memory, pids, cpu); with v2 all are the same.
+    Where there is none for a controller, its figures are None and its limits do nothing.
     """
 
-    def __init__(self, directory: str | None, pid: int, memory_mib: int, processes: int) -> None:
-        self._directory = None if directory is None else Path(directory)
-        if self._directory is None:
-            return
-        try:
-            self._directory.mkdir()
-            for file, value in (
-                ("memory.max", (memory_mib + SLACK_MIB) << 20),
-                ("memory.swap.max", 0),
-                ("memory.oom.group", 1),
-                ("pids.max", processes),
-            ):
-                with contextlib.suppress(FileNotFoundError, PermissionError):  # no controller
-                    self._write(file, value)
-            self._write("cgroup.procs", pid)
-        except OSError:
-            self.close()
+    def __init__(self, places: dict[str, str], version: int) -> None:
+        self._version = version
+        self._of: dict[str, Path] = {}
+        for controller, place in places.items():
+            directory = Path(f"{place}-{os.getpid()}")
+            with contextlib.suppress(OSError):
+                directory.mkdir(exist_ok=True)
+                self._of[controller] = directory
+                write(directory / "cgroup.procs", os.getpid())
+        if version == 2 and read(self._file("memory", "memory.max")) == "":
+            self._of.pop("memory", None)  # there, but without this controller
+        if version == 2 and read(self._file("pids", "pids.max")) == "":
+            self._of.pop("pids", None)
+        self._own_mib = self._held_mib() or 0.0
+        self._cpu_began_s = self._kills_began = 0.0
+
+    @property
+    def holds_memory(self) -> bool:
+        """Whether the kernel limits the memory."""
+        return "memory" in self._of
+
+    def begin(self, memory_mib: int, processes: int) -> None:
+        """Set the limits of the next program, and count from now on."""
+        self._own_mib = min(self._held_mib() or 0.0, self._own_mib + SLACK_MIB)
+        most = int((memory_mib + SLACK_MIB + self._own_mib) * 2**20)
+        if self._version == 2:
+            self._set("memory", "memory.swap.max", 0)
+            self._set("memory", "memory.max", most)
+        else:
+            # Memory and swap together may never be less than memory alone.
+            self._set("memory", "memory.memsw.limit_in_bytes", UNLIMITED)
+            self._set("memory", "memory.limit_in_bytes", most)
+            self._set("memory", "memory.memsw.limit_in_bytes", most)
+        self._set("pids", "pids.max", processes + 1)  # and the keeper
+        self._cpu_began_s = self._cpu_s()
+        self._kills_began = self._kills()
 
     def cpu_s(self) -> float:
-        """Return the CPU seconds used in it so far, 0 without one."""
-        for line in self._read("cpu.stat").splitlines():
-            if line.startswith("usage_usec "):
-                return int(line.split()[1]) / 1e6
-        return 0.0
+        """Return the CPU seconds used since `begin`, the keeper's own included; 0 without a count."""
+        return self._cpu_s() - self._cpu_began_s
+
+    def memory_mib(self) -> float | None:
+        """Return the memory in use now besides the keeper's own: without caches of files."""
+        held = self._held_mib()
+        return None if held is None else max(0.0, held - self._own_mib)
 
     @property
     def out_of_memory(self) -> bool:
         """Whether the kernel killed a process because the memory was used up."""
-        lines = self._read("memory.events").splitlines()
-        return any(line.startswith("oom_kill ") and line != "oom_kill 0" for line in lines)
+        return self._kills() > self._kills_began
 
-    def kill(self) -> None:
-        """Kill every process in it."""
-        with contextlib.suppress(OSError):  # before Linux 5.14 there is no such file
-            self._write("cgroup.kill", 1)
+    def processes(self) -> list[int] | None:
+        """Return the pids of all processes but the keeper, None if nothing lists them."""
+        for directory in self._of.values():
+            pids = [int(pid) for pid in read(directory / "cgroup.procs").split()]
+            return [pid for pid in pids if pid != os.getpid()]
+        return None
 
     def close(self) -> None:
-        """Remove it after all its processes were reaped; more than once does no harm."""
-        if self._directory is not None:
+        """Leave and remove the control groups; more than once does no harm."""
+        for directory in dict.fromkeys(self._of.values()):
             with contextlib.suppress(OSError):
-                self._directory.rmdir()
-            self._directory = None
+                write(directory.parent / "cgroup.procs", os.getpid())
+            with contextlib.suppress(OSError):
+                directory.rmdir()
+        self._of = {}
 
-    def _write(self, file: str, value: int) -> None:
-        if self._directory is not None:
-            fd = os.open(self._directory / file, os.O_WRONLY)
-            try:
-                os.write(fd, str(value).encode())
-            finally:
-                os.close(fd)
+    def _held_mib(self) -> float | None:
+        """Return the memory that is not a cache of files: such caches go when memory is short."""
+        current = "memory.current" if self._version == 2 else "memory.usage_in_bytes"
+        used = read(self._file("memory", current))
+        if not used:
+            return None
+        stat = _numbers(read(self._file("memory", "memory.stat")))
+        cache = stat.get("file" if self._version == 2 else "total_cache", 0)
+        shared = stat.get("shmem" if self._version == 2 else "total_shmem", 0)
+        return (int(used) - max(0, cache - shared)) / 2**20
 
-    def _read(self, file: str) -> str:
-        return "" if self._directory is None else read(self._directory / file)
+    def _cpu_s(self) -> float:
+        if self._version == 2:
+            return _numbers(read(self._file("cpu", "cpu.stat"))).get("usage_usec", 0) / 1e6
+        return int(read(self._file("cpu", "cpuacct.usage")) or 0) / 1e9
+
+    def _kills(self) -> int:
+        file = "memory.events" if self._version == 2 else "memory.oom_control"
+        return _numbers(read(self._file("memory", file))).get("oom_kill", 0)
+
+    def _file(self, controller: str, name: str) -> Path:
+        return self._of.get(controller, Path("/nonexistent")) / name
+
+    def _set(self, controller: str, name: str, value: int) -> None:
+        with contextlib.suppress(OSError):  # no such controller, or no accounting of swap
+            write(self._file(controller, name), value)
+
+
+def write(path: Path, value: int) -> None:
+    """Write a number to a file of a control group. Raises OSError."""
+    fd = os.open(path, os.O_WRONLY)
+    try:
+        os.write(fd, str(value).encode())
+    finally:
+        os.close(fd)
+
+
+def _numbers(text: str) -> dict[str, int]:
+    """Return the numbers of a file of lines `name number`."""
+    pairs = (line.split() for line in text.splitlines())
+    return {pair[0]: int(pair[1]) for pair in pairs if len(pair) == 2}

@@ -1,4 +1,8 @@
-"""How much memory the processes of a program use together, shared memory counted once."""
+"""How much memory a program's processes use together, where no control group tells.
+
+Shared memory counts once. Memory that only the kernel sees (mappings, pipes, epoll watches)
+is not counted: docs/security.md says how much that can be.
+"""
 
 from __future__ import annotations
 
@@ -10,12 +14,9 @@ from judge.sandbox.keeper.libc import system_call
 from judge.sandbox.keeper.proc import EXITING, FLAGS, Process, fields, read
 
 INODE_BYTES = 1024  # about what a file of a memory file system takes, with its name
-WMEM_DEFAULT_BYTES = 212992  # the default of most kernels
-FEW = 8  # with so few processes, page tables are read at every sample
 WALL_PROCESSES = 2  # bubblewrap itself, and the first process inside
 WALL_MIB = 8.0  # either has less, unless the program has taken it over
-SHARED_EVERY_S, SHARED_AT_LEAST_EVERY_S = 0.2, 0.5
-SLOWNESS = 10.0  # between two exact measurements passes ten times what one takes
+EXACT_AT_MOST_S = 0.004  # at one sample; what is left is measured at the next one
 KCMP, KCMP_VM = {"x86_64": 312, "aarch64": 272}, 1
 
 
@@ -28,47 +29,48 @@ class Memory:
 
     def __init__(self, scratch: Mapping[str, int]) -> None:
         self._scratch = scratch
-        self._shared_mib: dict[tuple[int, str], float] = {}  # at the last exact measurement
-        self._next_s = 0.0
+        self._shared_mib: dict[tuple[int, str], float] = {}  # of each, when last measured
+        self._measured: set[tuple[int, str]] = set()  # in the pass that is under way
 
     def used_mib(self, live: Sequence[Process], limit_mib: float) -> float:
-        """Return the memory in use by all of `live`, parents first.
+        """Return the memory in use by all of `live`, parents first; a lower bound at times.
 
-        Measuring shared memory is slow, so it is done now and then, and whenever the limit
-        might be passed; in between, the result is a lower bound.
+        The sum of the processes' resident memory counts what they share several times. Only
+        when it is over the limit is it found out how much that is, for some
+        milliseconds at each sample, and the result is exact when all were measured.
         """
         walls = live[: WALL_PROCESSES if self._scratch else 0]
         own = [process for process in walls if process.resident_mib > WALL_MIB]
         own = [*own, *live[len(walls) :]] or list(live)
-        now_s = time.monotonic()
-        is_time = (len(own) > 1 or bool(self._shared_mib)) and now_s >= self._next_s
-        beyond_mib = self._held_mib(live)
-        if len(own) <= FEW or is_time:
-            beyond_mib += sum(map(tables_mib, own))
-        likely_mib = [p.resident_mib - self._shared_mib.get(p.identity, 0.0) for p in own]
-        if sum(likely_mib) + beyond_mib <= limit_mib and not is_time:
-            return max(likely_mib, default=0.0) + beyond_mib
-        # Mapped files of scratch are counted with scratch.
-        exact_mib = {p.identity: proportional_mib(p, bool(self._scratch)) for p in distinct(own)}
-        self._shared_mib = {
-            p.identity: p.resident_mib - exact_mib.get(p.identity, 0.0) for p in own
-        }
-        slow_s = SLOWNESS * (time.monotonic() - now_s)
-        self._next_s = now_s + min(max(slow_s, SHARED_EVERY_S), SHARED_AT_LEAST_EVERY_S)
-        return sum(exact_mib.values()) + beyond_mib
+        held_mib = self._held_mib(live)
+        most_mib = sum(p.resident_mib - self._shared_mib.get(p.identity, 0.0) for p in own)
+        if most_mib + held_mib <= limit_mib:
+            self._measured.clear()
+            return most_mib + held_mib if len(own) == 1 else max(
+                (p.resident_mib for p in own), default=0.0
+            ) + held_mib
+        give_up = time.monotonic() + EXACT_AT_MOST_S
+        for process in own:
+            if process.identity not in self._measured and time.monotonic() < give_up:
+                exact_mib = proportional_mib(process, bool(self._scratch))
+                self._shared_mib[process.identity] = process.resident_mib - exact_mib
+                self._measured.add(process.identity)
+        if any(process.identity not in self._measured for process in own):
+            return max(p.resident_mib for p in own) + held_mib
+        self._measured.clear()
+        exact = distinct(own)
+        return held_mib + sum(p.resident_mib - self._shared_mib[p.identity] for p in exact)
 
     def _held_mib(self, live: Sequence[Process]) -> float:
-        """Return what file systems and sockets behind the wall hold, as a process there sees them.
-
-        A file system of another size is this machine's own: the wall is not complete yet.
-        """
-        if not self._scratch:
-            return 0.0
+        """Return what the scratch file systems hold, as a process behind the wall sees them."""
         held = (self._held_bytes(process) for process in live)
         return next((found for found in held if found is not None), 0) / 2**20
 
     def _held_bytes(self, process: Process) -> int | None:
-        """Return what `process` sees of it, None if it does not see all of the scratch."""
+        """Return the bytes held as seen by `process`, None if it does not see all of the scratch.
+
+        A file system of another size belongs to the host: the wall is still being built.
+        """
         held = 0
         for place, size in self._scratch.items():
             try:
@@ -79,21 +81,21 @@ class Memory:
                 return None
             held += (seen.f_blocks - seen.f_bfree) * seen.f_frsize
             held += (seen.f_files - seen.f_ffree) * INODE_BYTES
-        sockets = read(f"{process.place}/net/sockstat").split()  # sockets: used 8 ...
-        many = int(sockets[2]) if sockets else 0
-        return held + (many * _socket_bytes() if many else 0)
+        return held if self._scratch else None
 
 
 def proportional_mib(process: Process, without_scratch: bool) -> float:
     """Return the memory of a process with every shared page divided among its users.
 
-    without_scratch: leave out mapped files of memory file systems. If the process does not
-    let others look, this is its resident memory, or 0 if it is just ending.
+    Page tables are added. without_scratch: leave out mapped files of memory file systems. If
+    the process does not let others look, this is its resident memory, or 0 if it is exiting.
     """
     lines = read(f"{process.place}/smaps_rollup").splitlines()
+    lines += read(f"{process.place}/status").splitlines()
     kib = {line.split()[0]: int(line.split()[1]) for line in lines if line.endswith(" kB")}
     if "Pss:" in kib:
-        return (kib["Pss:"] - (kib.get("Pss_Shmem:", 0) if without_scratch else 0)) / 1024
+        shared = kib.get("Pss_Shmem:", 0) if without_scratch else 0
+        return (kib["Pss:"] + kib.get("VmPTE:", 0) - shared) / 1024
     stat = fields(process.place)
     return 0.0 if not stat or int(stat[FLAGS]) & EXITING else process.resident_mib
 
@@ -112,14 +114,3 @@ def _same_memory(one: Process, other: Process) -> bool:
     """Source: kcmp(2). Where the kernel does not tell, they are not the same."""
     first, second = (int(process.place.rpartition("/")[2]) for process in (one, other))
     return system_call(KCMP, first, second, KCMP_VM, 0, 0) == 0
-
-
-def tables_mib(process: Process) -> float:
-    """Return the memory of a process's page tables, which can exceed the memory they map."""
-    lines = read(f"{process.place}/status").splitlines()
-    return sum(int(line.split()[1]) for line in lines if line.startswith("VmPTE:")) / 1024
-
-
-def _socket_bytes() -> int:
-    """Return how many unread bytes a socket may hold; the kernel allows twice its setting."""
-    return 2 * int(read("/proc/sys/net/core/wmem_default") or WMEM_DEFAULT_BYTES)
