@@ -1,4 +1,4 @@
-"""Finds a wall that works on this machine: by a real launch, never by its mere presence."""
+"""Finds a wall that works on this machine, by a trial launch."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class NoWallError(SandboxError):
 
 @dataclass(frozen=True, slots=True)
 class Probe:
-    """The wall that works, or None and why none does."""
+    """The wall that works; or None, and why no wall does."""
 
     wall: Wall | None
     why: str = ""
@@ -36,7 +36,7 @@ def probe() -> Probe:
 def walled_sandbox(keepers: int = 1) -> Sandbox:
     """Return a sandbox whose wall works, after one trial run in it. Raises NoWallError.
 
-    keepers: as of `Sandbox`.
+    keepers: see `Sandbox`.
     """
     why = "no bwrap is installed"
     for wall in candidates():

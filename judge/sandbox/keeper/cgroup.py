@@ -1,8 +1,8 @@
 """A control group (cgroup v2) of its own for one program, where this user may make one.
 
 A process cannot leave its control group. So the kernel counts all CPU time there, kills all
-processes at once, and, where the controllers are enabled, limits memory and processes between
-two samples. Nothing requires it.
+processes at once, and, where the controllers are enabled, limits memory and processes even
+between two samples. The keeper also works without a control group.
 Source: the kernel's Documentation/admin-guide/cgroup-v2.rst
 """
 
@@ -14,11 +14,11 @@ from pathlib import Path
 
 from judge.sandbox.keeper.proc import read
 
-SLACK_MIB = 16  # page tables and the wall's own; sampling finds what is over the limit itself
+SLACK_MIB = 16  # for page tables and the wall; samples enforce the exact limit
 
 
 class Cgroup:
-    """The control group of the process `pid`, which has started no other yet.
+    """The control group of the process `pid`, which must not have started another yet.
 
     directory: where to make it. If that is None, or the kernel refuses, no method does anything.
     """
@@ -42,7 +42,7 @@ class Cgroup:
             self.close()
 
     def cpu_s(self) -> float:
-        """Return the CPU seconds used in it so far, 0 without one."""
+        """Return the CPU seconds used so far, 0 without a control group."""
         for line in self._read("cpu.stat").splitlines():
             if line.startswith("usage_usec "):
                 return int(line.split()[1]) / 1e6
@@ -55,12 +55,12 @@ class Cgroup:
         return any(line.startswith("oom_kill ") and line != "oom_kill 0" for line in lines)
 
     def kill(self) -> None:
-        """Kill every process in it."""
+        """Kill every process in the control group."""
         with contextlib.suppress(OSError):  # before Linux 5.14 there is no such file
             self._write("cgroup.kill", 1)
 
     def close(self) -> None:
-        """Remove it after all its processes were reaped; more than once does no harm."""
+        """Remove it; all its processes must be reaped. May be called more than once."""
         if self._directory is not None:
             with contextlib.suppress(OSError):
                 self._directory.rmdir()

@@ -9,13 +9,13 @@ from collections.abc import Mapping, Sequence
 from judge.sandbox.keeper.libc import system_call
 from judge.sandbox.keeper.proc import EXITING, FLAGS, Process, fields, read
 
-INODE_BYTES = 1024  # about what a file of a memory file system takes, with its name
+INODE_BYTES = 1024  # about what a file in a memory file system takes, with its name
 WMEM_DEFAULT_BYTES = 212992  # the default of most kernels
 FEW = 8  # with so few processes, page tables are read at every sample
 WALL_PROCESSES = 2  # bubblewrap itself, and the first process inside
-WALL_MIB = 8.0  # either has less, unless the program has taken it over
+WALL_MIB = 8.0  # each uses less, unless the program has taken it over
 SHARED_EVERY_S, SHARED_AT_LEAST_EVERY_S = 0.2, 0.5
-SLOWNESS = 10.0  # between two exact measurements passes ten times what one takes
+SLOWNESS = 10.0  # the pause after an exact measurement is this many times as long
 KCMP, KCMP_VM = {"x86_64": 312, "aarch64": 272}, 1
 
 
@@ -23,7 +23,7 @@ class Memory:
     """Measures the memory of one program at every sample.
 
     scratch: the wall's memory file systems by place, with their sizes in bytes; empty
-    without a wall. What they hold is the program's, and no process shows it.
+    without a wall. Their content counts as the program's memory; no process shows it.
     """
 
     def __init__(self, scratch: Mapping[str, int]) -> None:
@@ -48,7 +48,7 @@ class Memory:
         likely_mib = [p.resident_mib - self._shared_mib.get(p.identity, 0.0) for p in own]
         if sum(likely_mib) + beyond_mib <= limit_mib and not is_time:
             return max(likely_mib, default=0.0) + beyond_mib
-        # Mapped files of scratch are counted with scratch.
+        # Mapped files in scratch are already counted with scratch.
         exact_mib = {p.identity: proportional_mib(p, bool(self._scratch)) for p in distinct(own)}
         self._shared_mib = {
             p.identity: p.resident_mib - exact_mib.get(p.identity, 0.0) for p in own
@@ -60,7 +60,7 @@ class Memory:
     def _held_mib(self, live: Sequence[Process]) -> float:
         """Return what file systems and sockets behind the wall hold, as a process there sees them.
 
-        A file system of another size is this machine's own: the wall is not complete yet.
+        If a file system has another size, it is this machine's own: the wall is not complete yet.
         """
         if not self._scratch:
             return 0.0
@@ -68,7 +68,7 @@ class Memory:
         return next((found for found in held if found is not None), 0) / 2**20
 
     def _held_bytes(self, process: Process) -> int | None:
-        """Return what `process` sees of it, None if it does not see all of the scratch."""
+        """Return what `process` sees of that, None if it does not see all of scratch."""
         held = 0
         for place, size in self._scratch.items():
             try:
@@ -87,8 +87,8 @@ class Memory:
 def proportional_mib(process: Process, without_scratch: bool) -> float:
     """Return the memory of a process with every shared page divided among its users.
 
-    without_scratch: leave out mapped files of memory file systems. If the process does not
-    let others look, this is its resident memory, or 0 if it is just ending.
+    without_scratch: leave out mapped files of memory file systems. If the process cannot be
+    inspected, this is its resident memory, or 0 if it is just ending.
     """
     lines = read(f"{process.place}/smaps_rollup").splitlines()
     kib = {line.split()[0]: int(line.split()[1]) for line in lines if line.endswith(" kB")}
@@ -109,7 +109,7 @@ def distinct(processes: Sequence[Process]) -> list[Process]:
 
 
 def _same_memory(one: Process, other: Process) -> bool:
-    """Source: kcmp(2). Where the kernel does not tell, they are not the same."""
+    """Tell whether two processes share their memory; False if unknown. Source: kcmp(2)."""
     first, second = (int(process.place.rpartition("/")[2]) for process in (one, other))
     return system_call(KCMP, first, second, KCMP_VM, 0, 0) == 0
 
