@@ -17,11 +17,14 @@ help: ## list these commands
 setup: .venv/.ready-dev ## make the environment .venv (the other commands do it by themselves)
 
 # What judging needs is there in seconds; what the tests need comes when they are run.
-.venv/.ready: pyproject.toml tools/setup.py
+.venv/.ready: pyproject.toml tools/setup.py .venv/bin/python
 	@$(PYTHON) tools/setup.py
 
-.venv/.ready-dev: pyproject.toml tools/setup.py
+.venv/.ready-dev: pyproject.toml tools/setup.py .venv/bin/python
 	@$(PYTHON) tools/setup.py --dev
+
+# Missing if the Python that the environment was made with is gone: then it is made again.
+.venv/bin/python: ;
 
 data: .venv/.ready ## build the test data: what is missing or out of date
 	@$(RUN) -m gen build

@@ -88,9 +88,10 @@ def judge(
             ):
                 events.result(result)
                 results.append(result)
-            declared = replace(time_limit.limits, time_limit_s=time_limit.declared_s)
-            kept = KeptVerdicts(store, submission, declared, data.manifest)
-            kept.keep({r.case.name: r.verdict for r in results if r.verdict is not None})
+            if options.time_limit_s is None:
+                declared = replace(time_limit.limits, time_limit_s=time_limit.declared_s)
+                kept = KeptVerdicts(store, submission, declared, data.manifest)
+                kept.keep({r.case.name: r.verdict for r in results if r.verdict is not None})
         return _judging(submission, problem, data, time_limit, results, ready)
 
 

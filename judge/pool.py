@@ -143,7 +143,7 @@ def prepare(job: Job) -> Ready:
 
 
 def run_task(job: Job, limits: RunLimits, case: Case) -> CaseResult:
-    """Task: run the submission on one test case. Raises nothing: a worker's failure is JE."""
+    """Task: run the submission on one test case. Raises no KitError: that is the case's JE."""
     try:
         with _WORKERS.using(job) as worker:
             return run_case(worker.sandbox, worker.compile(), limits, case)

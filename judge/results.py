@@ -28,9 +28,9 @@ class Scale:
 class CaseResult:
     """The result of one test case; verdict None: it was not run (`message` says why).
 
-    mismatch: for WA, the first difference. retried: it was over the time limit beside other
-    runs, or by little, and was repeated alone; first_verdict: of the first of these two
-    runs, if it differs.
+    mismatch: for WA, the first difference. retried: it was over the time limit and
+    was repeated alone (see `judge.sandbox.retry`); first_verdict: of the first of these
+    two runs, if it differs.
     """
 
     case: Case
@@ -93,7 +93,7 @@ class Judging:
 
     @property
     def changed(self) -> tuple[CaseResult, ...]:
-        """The results whose verdict changed when the run was repeated: the machine is noisy."""
+        """The results whose verdict changed when the run was repeated."""
         return tuple(result for result in self.cases if result.first_verdict is not None)
 
     @property

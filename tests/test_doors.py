@@ -33,7 +33,7 @@ def helped(*arguments, directory):
     return done.stdout
 
 
-@pytest.mark.parametrize("command", [*COMMANDS, "bench.fairness", "bench.overhead"])
+@pytest.mark.parametrize("command", [*COMMANDS, "bench.fairness", "bench.overhead", "judge.calibrate"])
 def test_a_command_starts_as_a_module_in_the_kit(command):
     assert helped("-m", command, directory=ROOT).startswith("usage: ")
 

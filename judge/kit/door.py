@@ -1,7 +1,7 @@
-"""The door of every command: into the kit's own environment, whatever Python started it.
+"""The entry of every command: it restarts itself in the kit's environment.
 
-Any Python 3 can read this file, so that whoever comes with another interpreter, from any
-directory, is led on or told what to do.
+This file works with any Python 3 and from any directory. If the restart is impossible, it
+prints one line that says what to do.
 """
 
 import os
@@ -13,15 +13,15 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 ENVIRONMENT = ROOT / ".venv"
 MINIMUM = (3, 11)
-PACKAGES = ("msgspec", "rich", "drawsvg")  # that commands import
-FAILED = 2
+PACKAGES = ("msgspec", "rich", "drawsvg")  # imported by commands
+FAILED, INTERRUPTED = 2, 130
 
 
 def start(module, script=None):  # type: (str, str | None) -> None
-    """Run `main(arguments)` of a module in the kit's environment, and end with its status.
+    """Run `main(arguments)` of a module in the kit's environment, and exit with its status.
 
-    script: the file that was started; None: the module's top folder, as by `python -m`.
-    Where there is no such environment, an interpreter that has all packages will do.
+    script: the file or folder to start again; None: the top folder of the module.
+    Without that environment, any interpreter that has all packages is accepted.
     """
     path = ROOT / (script or module.partition(".")[0])
     python = ENVIRONMENT / "bin" / "python"
@@ -31,14 +31,18 @@ def start(module, script=None):  # type: (str, str | None) -> None
         if python.exists():
             refuse(path.name, "{} cannot be executed by this user".format(python))  # noqa: UP032
         if os.path.lexists(str(python)):
-            refuse(path.name, "the Python of .venv is gone: run 'make setup' again")
+            refuse(path.name, "the Python of .venv is gone: run 'make setup'")
     if sys.version_info < MINIMUM or not all(map(find_spec, PACKAGES)):
         refuse(path.name, "the kit is not set up: run 'make setup' first")
-    sys.exit(import_module(module).main(sys.argv[1:]))
+    try:
+        main = import_module(module).main
+    except KeyboardInterrupt:
+        sys.exit(INTERRUPTED)
+    sys.exit(main(sys.argv[1:]))
 
 
 def refuse(name, why):  # type: (str, str) -> None
-    """End the process with one line."""
+    """Print one line and exit with status 2."""
     if sys.stderr is not None:
         sys.stderr.write("{}: {}\n".format(name, why))  # noqa: UP032
     sys.exit(FAILED)

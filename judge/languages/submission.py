@@ -23,7 +23,7 @@ LONGEST_SOURCE_BYTES = 1 << 24  # far beyond any limit on the source's length
 
 
 class SubmissionError(KitError):
-    """What was given cannot be a submission."""
+    """The given file or text cannot be a submission."""
 
 
 class CompileError(KitError):
@@ -47,9 +47,9 @@ class Program:
     command: Command
 
     def reason(self, stderr: bytes) -> str:
-        """Return the line of standard error that says why the program crashed, or nothing.
+        """Return the line of standard error that says why the program crashed; it may be empty.
 
-        In most languages it is the last one.
+        In most languages that is the last line.
         """
         lines = printable_lines(stderr, lines=1000, width=120).splitlines()
         mark = self.submission.language.error_line
@@ -58,12 +58,15 @@ class Program:
 
 
 def read_source(file: IO[bytes]) -> bytes:
-    """Return the content of a file, cut off at a length that no limit allows."""
+    """Return at most the first LONGEST_SOURCE_BYTES of a file."""
     return file.read(LONGEST_SOURCE_BYTES)
 
 
 def read_submission(path: Path, language: Language | None = None) -> Submission:
-    """Read a file; its suffix tells the language, else its text. Raises SubmissionError."""
+    """Read a file. Without `language`, its suffix or else its text decides the language.
+
+    Raises SubmissionError.
+    """
     if path.is_dir():
         raise SubmissionError(f"{path}: expected a source file, found a directory")
     try:
@@ -86,7 +89,7 @@ def read_submission(path: Path, language: Language | None = None) -> Submission:
 def from_source(source: bytes, name: str, language: Language | None = None) -> Submission:
     """Check a source text and guess its language if none is given. Raises SubmissionError.
 
-    A byte order mark, which some editors write and some compilers refuse, is left out.
+    A byte order mark is removed: some editors write one, and some compilers refuse it.
     """
     source = source.removeprefix(codecs.BOM_UTF8)
     if not source.strip():
@@ -100,7 +103,8 @@ def from_source(source: bytes, name: str, language: Language | None = None) -> S
     if found is None:
         names = ", ".join(each.name for each in LANGUAGES)
         raise SubmissionError(
-            f"{name}: the text does not tell its language; give --language with one of {names}"
+            f"{name}: the language cannot be guessed from the text; give --language with one of "
+            f"{names}"
         )
     return Submission(name, found, source)
 
@@ -109,8 +113,7 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
     """Compile once, in the sandbox. Raises CompileError, LanguageError or SandboxError."""
     if len(submission.source) > limits.code_kib << 10:
         raise CompileError(
-            f"the source is {len(submission.source) / 1024:.0f} KiB long or more, "
-            f"limit {limits.code_kib} KiB"
+            f"the source has {-(-len(submission.source) // 1024)} KiB, limit {limits.code_kib} KiB"
         )
     tools = toolchain(submission.language)
     directory = sandbox.new_program_directory()
@@ -144,7 +147,7 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
         }.get(facts.stopped, f"more than {run_limits.time_limit_s:.0f} s")
         raise CompileError(f"the compiler was stopped: {limit}\n{said}".rstrip())
     if facts.exit_status != 0:
-        sandbox.check_space()  # or the compiler is blamed for a full disk
+        sandbox.check_space()  # a full disk is not a compile error
         ended = f"signal {facts.signal}" if facts.signal else f"exit status {facts.exit_status}"
         raise CompileError(said or f"the compiler ended with {ended} and said nothing")
     command = tools.run_command(inside, source_name, main, limits.memory_mib)
@@ -152,7 +155,7 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
 
 
 def _names(submission: Submission) -> tuple[str, str]:
-    """Return the source file's name, and that of what is run."""
+    """Return the name of the source file, and of the program or class to run."""
     language = submission.language
     stem = main = "submission"
     if language.name == "Java":

@@ -70,10 +70,10 @@ class GroupReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class Report(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A whole judging.
 
-    scale: how many times slower this machine is than the calibrating one, null if no verdict
-    depended on it; scale_source: where that figure comes from, new in version 2. wall:
-    the wall around every run, null for none. partial: not all test cases of the kit
-    were chosen; only groups judged whole score.
+    scale: how many times slower this machine is than the calibrating one, null if it was not
+    needed, not measurable, or the limit was given; scale_source: where that figure comes
+    from, new in version 2. wall: the wall around every run, null for none. partial: not all
+    test cases of the kit were chosen; only groups judged whole score.
     """
 
     schema_version: int

@@ -67,7 +67,7 @@ def print_report(console: Console, judging: Judging) -> None:
         _print_failure(console, failure)
     if judging.changed:
         many = f"{len(judging.changed)} verdicts" if judging.changed[1:] else "1 verdict"
-        said = f"{many} changed when the run was repeated alone, which decided: a noisy machine"
+        said = f"{many} changed when the run was repeated alone; the repeated run decided"
         console.print(Text(said, style="yellow"), soft_wrap=True)
     console.print(Text(_limits_line(judging), style="dim"), soft_wrap=True)
     if judging.wall is None:

@@ -1,4 +1,7 @@
-"""All rules for repeating a run. Each answers a fault of the machine, not of the program.
+"""The rules for repeating a run. Each answers a fault of the machine, not of the program.
+
+`judge.pool` also repeats a task if its worker broke, and a run over the declared limit if this
+machine turns out to be slower than the one that set the limit.
 
 What a program prints never causes a repeat. Disturbances only add time, so a run that was too
 slow while others went on is repeated alone.

@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 
 from judge.judging import Events, Options, judge
-from judge.languages.submission import read_submission
+from judge.languages.submission import compile_submission, read_submission
 from judge.pool import Job, Ready, prepare, run_task
 from judge.problem.declaration import load
 from judge.problem.verdict import Verdict
@@ -169,3 +169,29 @@ def test_the_machine_is_measured_once_a_verdict_depends_on_it(
     assert outcome.time_limit_s == limits_s[-1]
     asked = judge(submission, PROBLEM, Options(data=data, time_limit_s=4.0), executor=Slow(scale))
     assert (asked.verdict, asked.time_limit_s, asked.scale) == (Verdict.TLE, 4.0, None)
+
+
+def test_a_worker_compiles_once(
+    source: Source, data: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    compiled: list[str] = []
+
+    def count(*arguments: Any) -> Any:
+        compiled.append("once")
+        return compile_submission(*arguments)
+
+    monkeypatch.setattr("judge.pool.compile_submission", count)
+    assert judged(source("echo.py", ECHO), data).verdict is Verdict.AC
+    assert compiled == ["once"]
+
+
+def test_a_verdict_under_another_limit_is_not_kept(
+    source: Source, data: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept: list[object] = []
+    monkeypatch.setattr("judge.judging.KeptVerdicts.keep", lambda _self, found: kept.append(found))
+    submission = read_submission(source("echo.py", ECHO))
+    judge(submission, PROBLEM, Options(data=data, no_wall=True, time_limit_s=9.0))
+    assert kept == []
+    judge(submission, PROBLEM, Options(data=data, no_wall=True))
+    assert len(kept) == 1

@@ -40,7 +40,7 @@ CASES = [result.case for result in RESULTS]
 
 def judging(results: list[CaseResult], verdict: Verdict = TLE, message: str = "") -> Judging:
     groups = group_results(PROBLEM, CASES, results)
-    return Judging("a.py", "Python 3", verdict, 15, 100, True, 5.5, 5.0, 512, 1.1, groups, message)
+    return Judging("a.py", "Python 3", verdict, 15, 100, True, 5.5, 5.0, 512, None, groups, message)
 
 
 def test_a_group_scores_if_all_of_its_cases_ran_and_are_accepted() -> None:

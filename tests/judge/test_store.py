@@ -90,3 +90,16 @@ def test_a_verdict_is_kept_for_what_it_depends_on(tmp_path: Path) -> None:
             KeptVerdicts(store, source, limits, Manifest(1, {"a": entry("3")})),
         ):
             assert other.look_up(cases) == {}
+
+
+def test_cases_alike_are_both_looked_up_and_a_damaged_verdict_is_not(tmp_path: Path) -> None:
+    manifest = Manifest(1, {"a": entry("1"), "twin": entry("1"), "b": entry("2")})
+    cases = [Case(name, "small", tmp_path, tmp_path) for name in manifest.cases]
+    source = Submission("x.py", by_name("python"), b"print()")
+    with Store(tmp_path / "store") as store:
+        kept = KeptVerdicts(store, source, RunLimits(5.0, 512, 8), manifest)
+        kept.keep({"a": Verdict.WA, "b": Verdict.AC})
+        assert kept.look_up(cases) == {"a": Verdict.WA, "twin": Verdict.WA, "b": Verdict.AC}
+        for row in store._connection.execute("SELECT key FROM kept").fetchall():
+            store.put("verdict", {row[0]: "damaged"})
+        assert kept.look_up(cases) == {}
