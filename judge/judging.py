@@ -165,7 +165,7 @@ def _ready(pool: Pool, compiling: Pending[Ready], submission: Submission) -> Rea
     except NoWallError as error:
         raise JudgeError(
             f"no wall works here ({error}), so {submission.name} could read, change and send "
-            "whatever you can; if you trust it, use --no-wall"
+            "whatever you can; if you trust it, say --no-wall"
         ) from None
 
 

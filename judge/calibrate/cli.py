@@ -63,7 +63,7 @@ def _calibrate(parser: argparse.ArgumentParser, arguments: Sequence[str] | None)
         if name.startswith(("accepted/", "time_limit_exceeded/")) and only in name
     ]
     if not names:
-        raise JudgeError(f"--only {only!r}: no accepted or slow submission has this in its name")
+        raise JudgeError(f"--only {only!r}: expected part of a name of an accepted or slow one")
     with Store() as store:
         cases = load_data(problem, store=store).chosen
     console = Console(highlight=False, soft_wrap=True)
