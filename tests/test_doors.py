@@ -33,7 +33,9 @@ def helped(*arguments, directory):
     return done.stdout
 
 
-@pytest.mark.parametrize("command", [*COMMANDS, "bench.fairness", "bench.overhead", "judge.calibrate"])
+@pytest.mark.parametrize(
+    "command", [*COMMANDS, "bench.fairness", "bench.overhead", "judge.calibrate"]
+)
 def test_a_command_starts_as_a_module_in_the_kit(command):
     assert helped("-m", command, directory=ROOT).startswith("usage: ")
 
