@@ -14,65 +14,65 @@ help: ## list these commands
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | column -t -s '|' 2>/dev/null \
 	  || grep '^[a-z-]*:.*## ' $(MAKEFILE_LIST)
 
-setup: .venv/.ready-dev ## make the environment .venv (the other commands do it by themselves)
+setup: .venv/.ready-dev ## make the environment .venv (other make commands do this themselves)
 
-# What judging needs is there in seconds; what the tests need comes when they are run.
+# The packages for judging install in seconds; those for tests are installed when needed.
 .venv/.ready: pyproject.toml tools/setup.py .venv/bin/python
 	@$(PYTHON) tools/setup.py
 
 .venv/.ready-dev: pyproject.toml tools/setup.py .venv/bin/python
 	@$(PYTHON) tools/setup.py --dev
 
-# Missing if the Python that the environment was made with is gone: then it is made again.
+# It is missing if the Python that made the environment is gone; then .venv is made again.
 .venv/bin/python: ;
 
-data: .venv/.ready ## build the test data: what is missing or out of date
+data: .venv/.ready ## build the test data that is missing or out of date
 	@$(RUN) -m gen build
 
 judge: data ## judge a program on all test cases: make judge [SUBMISSION=my.cpp]
 	@$(RUN) checker.py $(SUBMISSION)
 
-test: setup data ## run the tests that take two minutes together
+test: setup data ## run the fast tests, in about two minutes
 	@$(RUN) -m pytest -n auto -m "not slow"
 
-test-all: setup data ## run all tests
+test-all: setup data ## run all tests, also the slow ones
 	@$(RUN) -m pytest -n auto
 
 case: .venv/.ready ## add a test case: make case FAMILY=contacts [SEED=7] [GROUP=small] [ARGS="--set n=9"]
 	@$(RUN) -m gen case $(FAMILY) --seed $(SEED) --group $(GROUP) $(ARGS)
 
-figures: .venv/.ready ## draw the figures of the statement again
+figures: .venv/.ready ## redraw the figures of the statement
 	@$(RUN) -m pictures figures
 
-stress: .venv/.ready ## solvers against each other: 10^6 random scenarios and a complete small world
+stress: .venv/.ready ## compare the solvers on 10^6 random scenarios and a complete small world
 	@$(RUN) -m stress all
 
-worlds: .venv/.ready ## every scenario of complete worlds, answered by programs in C++ and Python
+worlds: .venv/.ready ## compare programs in C++ and Python on every scenario of complete worlds
 	@$(RUN) -m stress complete
 
-strength: data ## which submission fails where: submissions x groups, build/strength.html
+strength: data ## show which submission fails in which group: build/strength.html
 	@$(RUN) -m strength --html build/strength.html --json build/strength.json
 
-mutants: data ## small changes of the right programs: does the data notice each?
+mutants: data ## make small changes to correct programs and check that the data notices each
 	@$(RUN) -m strength mutants
 
 calibrate: data ## measure the margins of the time limit
 	@$(RUN) -m judge.calibrate
 
-check: .venv/.ready ## validate every file of the data, and its checksums
+check: .venv/.ready ## validate every data file and compare it with its checksum
 	@$(RUN) -m gen check
 
 schema: .venv/.ready ## write the schema of the JSON report, docs/report.schema.json
 	@$(RUN) -m judge.reports.schema
 
-lint: setup ## look for mistakes and bad style
+lint: setup ## check the code for mistakes and bad style
 	@$(RUN) -m ruff check && $(RUN) -m ruff format --check
 
-format: setup ## lay out the code
+format: setup ## format the code
 	@$(RUN) -m ruff format
 
 types: setup ## check the types
 	@$(RUN) -m mypy
 
-clean: ## delete what can be made again: environment, rebuilt data, caches
+clean: ## delete what can be rebuilt: environment, large data, caches
 	@rm -rf .venv build data/secret/large data/secret/many .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -1,1 +1,1 @@
-"""What checker.py is made of: lower modules never import higher ones, and never `gen`."""
+"""The judge behind checker.py. Lower modules never import higher ones; none imports `gen`."""

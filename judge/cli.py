@@ -1,4 +1,4 @@
-"""The command line of checker.py: what is asked for, and the exit status."""
+"""The command line of checker.py: its options and exit status."""
 
 from __future__ import annotations
 
@@ -37,15 +37,15 @@ exit status: 0 accepted, 1 not accepted, 2 usage or judge error, 130 interrupted
 
 
 class UsageError(KitError):
-    """What is asked for makes no sense."""
+    """The options contradict each other or cannot be followed."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Judge as the arguments say and return the exit status."""
     signal.signal(signal.SIGTERM, _interrupt)
     signal.signal(signal.SIGHUP, _interrupt)
-    if sys.stdout is None:  # a judging is worth its exit status and reports alone
-        sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115 (to the end of the process)
+    if sys.stdout is None:  # the exit status and the reports are useful alone
+        sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115 (open until the process ends)
     interrupted = "interrupted, nothing is left running"
     command = partial(_command, arguments)
     return run("checker.py", command, interrupted=interrupted, reader_gone=EXIT_ERROR)
@@ -65,7 +65,7 @@ def _command(arguments: Sequence[str] | None) -> int:
 
 
 def _judge(asked: argparse.Namespace) -> int:
-    # Imported here, so that help and mistakes in the command line are told at once.
+    # Imported here, so that help and usage errors appear at once.
     from judge.judging import Options, judge
     from judge.problem.declaration import load
     from judge.problem.verdict import Verdict
@@ -97,7 +97,7 @@ def _judge(asked: argparse.Namespace) -> int:
 
 
 def _reports(asked: argparse.Namespace) -> list[Callable[[Judging], None]]:
-    """Return what writes the report files, after a look at whether they can be written."""
+    """Return the functions that write the reports, after checking that their places can be used."""
     from judge.reports.junit import to_junit
     from judge.reports.schema import to_json
 
@@ -107,7 +107,7 @@ def _reports(asked: argparse.Namespace) -> list[Callable[[Judging], None]]:
         if path is None:
             continue
         check_place(option, path)
-        if str(path) == "-":  # the table is there already
+        if str(path) == "-":  # the table goes there
             raise UsageError(f"{option} -: expected a file, found standard output")
         if other := taken.get(path.absolute()):
             raise UsageError(f"{option} {path}: expected a file of its own, found {other}")
@@ -147,16 +147,16 @@ def _parser() -> argparse.ArgumentParser:
     )
     add = parser.add_argument
     add("submission", nargs="?", help="source file; '-' or nothing: standard input")
-    add("--language", metavar="NAME", help="instead of what the suffix or the text tells")
+    add("--language", metavar="NAME", help="language (default: by suffix, else by the text)")
     add("--group", action="append", default=[], metavar="NAME", help="only this group; repeatable")
     add("--case", action="append", default=[], metavar="GLOB", help="only these cases; repeatable")
-    add("--data", type=Path, metavar="DIR", help="any directory of .in/.ans pairs")
+    add("--data", type=Path, metavar="DIR", help="use the .in/.ans pairs of this directory")
     add_jobs(parser, cores(), "runs")
-    add("--time-limit", type=_seconds, metavar="SECONDS", help="CPU seconds a case, not scaled")
+    add("--time-limit", type=_seconds, metavar="SECONDS", help="CPU seconds per case, not scaled")
     add("--json", type=Path, metavar="FILE", help="write the results as JSON")
     add("--junit", type=Path, metavar="FILE", help="write the results as JUnit XML")
     add("--stop-on-first", action="store_true", help="end each group at its first failure")
-    add("--no-wall", action="store_true", help="judge even where no wall works")
+    add("--no-wall", action="store_true", help="judge even if no wall works here")
     return parser
 
 

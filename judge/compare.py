@@ -1,8 +1,8 @@
 """The output validator: compares the tokens of an output with those of the answer file.
 
-White space separates tokens and does not matter otherwise; nor does the case of
-ASCII letters. The answer has one token per scenario, so the number of a token is
-the number of its scenario.
+White space only separates tokens, and the case of ASCII letters does not matter.
+The answer has one token per scenario, so the number of a token is the number of
+its scenario.
 """
 
 from __future__ import annotations
@@ -20,10 +20,9 @@ BLOCK_BYTES = 1 << 16
 class Mismatch:
     """The first difference between an output and the answer.
 
-    scenario: 1-based number of the token; line, column: 1-based, where it stands
-    in the output (of a missing token: the end of the output); expected is None
-    when the output goes on after the answer, found is None when it ends too early.
-    At most one of the two is None.
+    scenario: 1-based number of the token. line, column: 1-based, its place in the
+    output; for a missing token, the end of the output. expected: None if the output
+    has too many tokens. found: None if it has too few. At most one of the two is None.
     """
 
     scenario: int
@@ -71,13 +70,13 @@ def compare(output: BinaryIO, answer: BinaryIO) -> Mismatch | None:
 
 
 def _folded(tokens: list[bytes]) -> bytes:
-    # A token holds no space, so joining loses nothing, and one lower() is cheaper than many.
+    # Tokens hold no space, so joining them loses nothing; one lower() is faster than many.
     return b" ".join(tokens).lower()
 
 
 def _token_blocks(stream: BinaryIO) -> Iterator[list[bytes]]:
     """Yield the tokens of `stream` in order, in non-empty lists."""
-    pieces: list[bytes] = []  # of a token that may go on in the next block
+    pieces: list[bytes] = []  # of a token that may continue in the next block
     while block := stream.read(BLOCK_BYTES):
         tokens = block.split()
         if pieces and not block[:1].isspace():

@@ -1,4 +1,4 @@
-"""The pure function from the facts of a run to its verdict."""
+"""Decides the verdict of a run from its facts, by a pure function."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from judge.sandbox.facts import Facts, RunLimits, Stop
 
 @dataclass(frozen=True, slots=True)
 class Judgement:
-    """A verdict and one short text saying why; empty for AC."""
+    """A verdict and a short text with its reason; empty for AC."""
 
     verdict: Verdict
     message: str = ""
@@ -24,10 +24,10 @@ def decide(
 ) -> Judgement:
     """Return the judgement of one run. Pure.
 
-    mismatch: the first difference between output and answer; reason: what the program said of
-    its own crash. A limit exceeded outweighs how the program ended, which outweighs what it
-    printed: a program ended from outside has no exit status of its own, and the output
-    of one that crashed says nothing.
+    mismatch: the first difference between output and answer. reason: the program's own message
+    about its crash. An exceeded limit decides first, then how the program ended, then its
+    output: a stopped program has no exit status of its own, and the output of a crashed
+    program means nothing.
     """
     if facts.stopped is Stop.PROCESSES:
         return Judgement(Verdict.RTE, f"more than {limits.processes} processes at once")
@@ -63,7 +63,7 @@ def _with_reason(what: str, reason: str) -> str:
 
 
 def _exit_name(facts: Facts) -> str:
-    """Name an exit status; shells and walls turn a signal into 128 plus its number."""
+    """Name an exit status; shells and walls report a signal as 128 plus its number."""
     status = facts.exit_status or 0
     if status - 128 in signal.valid_signals():
         return f"exit status {status} (its own, or {_signal_name(status - 128)})"

@@ -1,4 +1,4 @@
-"""The judging of one submission: every chosen test case, results in order."""
+"""Judges one submission on every chosen test case and returns the results in order."""
 
 from __future__ import annotations
 
@@ -24,15 +24,15 @@ from judge.sandbox.probe import NoWallError
 
 
 class JudgeError(KitError):
-    """The judge cannot judge."""
+    """The submission cannot be judged."""
 
 
 @dataclass(frozen=True, slots=True)
 class Options:
     """What to judge on, and how. Empty groups or globs: all.
 
-    time_limit_s: instead of the declared limit, and not scaled to this machine.
-    no_wall: run even code that nobody vouches for when no wall works.
+    time_limit_s: replaces the declared limit, and is not scaled to this machine.
+    no_wall: if no wall works, run even programs that are not the kit's own.
     """
 
     data: Path = DATA
@@ -46,7 +46,7 @@ class Options:
 
 @dataclass(frozen=True, slots=True)
 class Events:
-    """What a report may want to hear while a judging goes on; called from the judging's thread."""
+    """Functions that report the progress of a judging; called from the judging's thread."""
 
     phase: Callable[[str], None] = lambda _text: None
     start: Callable[[int], None] = lambda _cases: None
@@ -63,10 +63,10 @@ def judge(
 ) -> Judging:
     """Judge `submission` and return all results.
 
-    executor: carries out the runs, `options.jobs` at a time; threads if None. Its workers
+    executor: carries out `options.jobs` runs at a time; None: threads. Its workers
     need the kit, the data at the same paths, and a place for scratch files.
-    Raises KitError when nothing can be judged; whatever happens to a single run ends as
-    that case's JE. On any exception, Ctrl-C included, no process and no file is left.
+    Raises KitError if nothing can be judged; a single run that fails for a fault of the
+    machine is JE. After any exception, even Ctrl-C, no process and no file is left.
     """
     options, events = options or Options(), events or Events()
     without_wall = options.no_wall or _vouched_for(submission, problem)
@@ -109,7 +109,7 @@ def _judging(
     results: list[CaseResult],
     ready: Ready,
 ) -> Judging:
-    """Return the outcome; results count only if the submission compiles."""
+    """Return the whole judging; `results` are used only if the submission compiles."""
     if ready.compile_error:
         results = [not_run(case, "does not compile") for case in data.chosen]
     groups = group_results(problem, data.all, results)
@@ -136,8 +136,8 @@ def _judging(
 class _TimeLimit:
     """The limits of a judging, scaled to this machine as soon as a verdict depends on it.
 
-    The scale can only raise the time limit, so it is not measured before a run goes over the
-    declared one; a scale that was measured earlier holds from the beginning.
+    The scale can only raise the time limit, so it is measured when a run first goes over the
+    declared one. A scale that was kept from an earlier judging is used from the beginning.
     """
 
     def __init__(self, problem: Problem, asked_s: float | None, pool: Pool, events: Events) -> None:
@@ -152,7 +152,7 @@ class _TimeLimit:
 
     @property
     def limits(self) -> RunLimits:
-        """The limits that hold, as far as the machine is known."""
+        """The current limits; they are not scaled before the scale is known."""
         factor = 1.0 if self.scale is None else self.scale.factor
         return replace(self._base, time_limit_s=self._base.time_limit_s * factor)
 

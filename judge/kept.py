@@ -1,8 +1,8 @@
-"""Verdicts that were found before, kept for tools that say that they look them up.
+"""Keeps verdicts, so that later commands need not run the same programs again.
 
-A verdict is looked up only if nothing has changed that it depends on: the source, its
+A kept verdict is found only if nothing that it depends on has changed: the source, its
 language, the declared limits, both files of the test case, and the judge's own code.
-`checker.py` keeps its verdicts and always runs; `python -m strength` looks them up.
+`checker.py` keeps its verdicts but always runs; `python -m strength` looks them up.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ NOT_PART_OF_JUDGING = ("judge/kit/", "judge/reports/")
 class KeptVerdicts:
     """The verdicts of one submission under the declared limits.
 
-    Only test cases that the manifest names are known by their sums, so only theirs are kept.
+    Only verdicts on test cases of the manifest are kept, because it has their checksums.
     """
 
     def __init__(
@@ -43,14 +43,14 @@ class KeptVerdicts:
         )
 
     def look_up(self, cases: Iterable[Case]) -> dict[str, Verdict]:
-        """Return the verdicts that are kept, by the names of their cases."""
+        """Return the verdicts that are kept for these cases, by case name."""
         keys = {c.name: self._key(self._entries[c.name]) for c in cases if c.name in self._entries}
         found = self._store.get(KIND, keys.values())
         words = {name: found.get(key, "") for name, key in keys.items()}
         return {name: Verdict[word] for name, word in words.items() if word in Verdict.__members__}
 
     def keep(self, verdicts: Mapping[str, Verdict]) -> None:
-        """Keep verdicts by the names of their cases. The failures of a judge are not kept."""
+        """Keep verdicts, given by case name. JE is not kept."""
         values = {
             self._key(self._entries[name]): verdict.value
             for name, verdict in verdicts.items()
@@ -65,7 +65,7 @@ class KeptVerdicts:
 
 @cache
 def judge_digest() -> str:
-    """Return a digest of the code that judges, and of the Python that it runs on."""
+    """Return a digest of the code that judges, and of the version of Python."""
     digest = hashlib.sha256(platform.python_version().encode())
     for path in sorted((ROOT / "judge").rglob("*")):
         name = path.relative_to(ROOT).as_posix()

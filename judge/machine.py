@@ -1,8 +1,8 @@
 """How fast this machine is, compared with the one on which the time limit was set.
 
 The reference is timed on the calibration case; a slower machine gives every program
-proportionally more time. That is a property of the machine and not of the moment, so the figure
-is kept with a description of the machine, and holds until `make calibrate` is run again.
+proportionally more time. The speed belongs to the machine and not to the moment, so it is kept
+with a description of the machine until `make calibrate` is run.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ from judge.sandbox.facts import RunLimits
 from judge.sandbox.sandbox import Sandbox
 
 KEPT = BUILD / "machine.json"
-LIMIT_FACTOR = 100.0  # a machine slower than this is out of order
+LIMIT_FACTOR = 100.0  # if the reference is slower than this, something is broken
 LEAST_RUNS, MOST_RUNS = 3, 12
-AGREEMENT = 1.02  # the two fastest runs must agree so far: then no chance disturbed both
+AGREEMENT = 1.02  # the greatest ratio of the two fastest runs: then neither was disturbed
 UNCALIBRATED = "not scaled to this machine: the calibration case is not built"
 
 
@@ -41,7 +41,7 @@ class MachineError(KitError):
 
 
 class Description(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What decides how fast the reference runs, besides the load of the moment."""
+    """What decides how fast the reference runs, apart from the current load."""
 
     processor: str
     kernel: str
@@ -51,7 +51,7 @@ class Description(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Kept(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """The content of `build/machine.json`. measured: the day."""
+    """The content of `build/machine.json`. measured: the date."""
 
     machine: Description
     scale: float
@@ -59,7 +59,7 @@ class Kept(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def kept_scale(problem: Problem, path: Path = KEPT) -> Scale | None:
-    """Return the scale of this very machine as it was measured before, None if it was not."""
+    """Return the scale that was kept for this machine, None if there is none."""
     try:
         kept = msgspec.json.decode(path.read_bytes(), type=Kept)
     except (OSError, msgspec.DecodeError, UnicodeDecodeError):
@@ -70,7 +70,7 @@ def kept_scale(problem: Problem, path: Path = KEPT) -> Scale | None:
 
 
 def measure_scale(problem: Problem, sandbox: Sandbox, path: Path = KEPT) -> Scale | None:
-    """Time the reference, keep and return the scale; None if the calibration case is not built.
+    """Time the reference; keep and return the scale. None: the calibration case is not built.
 
     Raises MachineError if the reference fails, CasesError, SandboxError.
     """
@@ -94,12 +94,12 @@ def scale_of(problem: Problem, sandbox: Sandbox) -> float:
 
 
 def forget_scale(path: Path = KEPT) -> None:
-    """Forget what was measured before. Raises OSError."""
+    """Delete the scale that was kept. Raises OSError."""
     path.unlink(missing_ok=True)
 
 
 def describe(problem: Problem) -> Description:
-    """Return the description of this machine and of what it is measured with."""
+    """Return the description of this machine and of the reference."""
     return Description(
         processor=_processor(),
         kernel=platform.release(),
@@ -110,7 +110,7 @@ def describe(problem: Problem) -> Description:
 
 
 def _processor() -> str:
-    """Return what the kernel calls the processor; on some machines only its architecture."""
+    """Return the kernel's name of the processor; on some machines only its architecture."""
     with contextlib.suppress(OSError):
         for line in Path("/proc/cpuinfo").read_text().splitlines():
             if line.startswith("model name"):
@@ -119,16 +119,16 @@ def _processor() -> str:
 
 
 def calibration_case(problem: Problem) -> Case:
-    """Return the case that machines are compared on; it may not be built."""
+    """Return the calibration case; its files may not be built."""
     return case_at(DATA, problem.calibration.case)
 
 
 def reference_cpu_s(problem: Problem, sandbox: Sandbox, enough_s: float = 0.0) -> float:
     """Return the CPU seconds of the reference on the calibration case: the least of some runs.
 
-    The least, as what disturbs a measurement only ever adds to it. There are as many runs as
-    it takes for the two fastest to agree, but no more once one is within `enough_s`. Raises
-    MachineError if the reference fails, CasesError if the case is not what was built.
+    Disturbances only add time, so the least counts. Runs are repeated until the two fastest
+    agree or one takes at most `enough_s`, but at most MOST_RUNS times. Raises MachineError if
+    the reference fails, CasesError if the case differs from the manifest.
     """
     case = calibration_case(problem)
     check_unchanged(load_manifest(DATA), [case], DATA, Checksums())

@@ -1,8 +1,8 @@
-"""The workers that judge one submission, and its test cases spread over them.
+"""The workers that judge one submission, and the distribution of test cases among them.
 
-A worker is a process with a sandbox of its own and the submission compiled in it. Tasks are
-plain data, so that any `concurrent.futures.Executor` can carry them to its workers: threads
-of this process (which then is the one worker), other processes, or a cluster.
+A worker is a process with a sandbox of its own, in which the submission is compiled. Tasks are
+plain data, so any `concurrent.futures.Executor` can carry them out: with threads of this
+process (which then is the only worker), in other processes, or on a cluster.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ class Worker:
 
 
 class _Workers:
-    """The workers of this process, by job: an executor keeps nothing between two tasks."""
+    """The workers of this process, by job. An executor itself keeps nothing between tasks."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -90,7 +90,7 @@ class _Workers:
 
     @contextmanager
     def using(self, job: Job) -> Iterator[Worker]:
-        """Yield the worker for a job. Making a new one closes those that no task uses."""
+        """Yield the worker for a job. If it must be made, unused workers are closed first."""
         with self._lock:
             if job.key not in self._workers:
                 idle = [key for key, worker in self._workers.items() if not worker.users]
@@ -106,7 +106,7 @@ class _Workers:
                 worker.users -= 1
 
     def close(self, key: str) -> None:
-        """Close the worker of a job if there is one: what it is doing ends."""
+        """Close the worker of a job if there is one, which stops its runs."""
         with self._lock:
             worker = self._workers.pop(key, None)
         if worker is not None:
@@ -124,7 +124,7 @@ atexit.register(_WORKERS.close_all)
 
 @dataclass(frozen=True, slots=True)
 class Ready:
-    """A worker that is ready. wall: around its runs, None for none.
+    """A worker that is ready. wall: the wall around its runs, None if there is none.
 
     compile_error: why the submission does not compile, empty if it does.
     """
@@ -178,16 +178,16 @@ class _Run:
 
 
 class Pool:
-    """The workers of one job, and `jobs` runs at a time on them.
+    """The workers of one job, with `jobs` runs at a time.
 
-    executor: where its tasks are carried out; threads of this process if None. A worker that
-    breaks costs a second try, in this process, and never a result.
+    executor: carries out the tasks; None: threads of this process. If a worker breaks, its
+    task is tried again in this process, so no result is lost.
     """
 
     def __init__(self, job: Job, jobs: int, executor: Executor | None = None) -> None:
         self._job = job
         self._jobs = jobs
-        self._threads = ThreadPoolExecutor(jobs)  # starts no thread that is not used
+        self._threads = ThreadPoolExecutor(jobs)  # starts threads only when needed
         self._executor = executor or self._threads
 
     def __enter__(self) -> Self:
@@ -200,12 +200,12 @@ class Pool:
         trace: TracebackType | None,
     ) -> None:
         self._threads.shutdown(wait=False, cancel_futures=True)
-        _WORKERS.close(self._job.key)  # ends what its threads wait for
+        _WORKERS.close(self._job.key)  # stops the runs that its threads wait for
         self._threads.shutdown()
-        _WORKERS.close(self._job.key)  # a thread may just have begun with it
+        _WORKERS.close(self._job.key)  # a thread may have made a new one meanwhile
 
     def prepare(self) -> Pending[Ready]:
-        """Begin to make a worker ready; see the task `prepare`."""
+        """Start to prepare a worker; see the task `prepare`."""
         return self._start(prepare, self._job)
 
     def measure_scale(self) -> Scale | None:
@@ -213,7 +213,7 @@ class Pool:
         return self.result(self._start(scale_task, self._job))
 
     def result(self, pending: Pending[T]) -> T:
-        """Wait for a result. Raises what the task raises; a broken worker is no reason to."""
+        """Wait for a result. If the worker broke, try again. Raises the KitError of the task."""
         _wait_for(pending.future)
         try:
             return pending.future.result()
@@ -240,8 +240,8 @@ class Pool:
         """
         waiting = deque(cases)
         running: deque[_Run] = deque()
-        stopped: set[str] = set()  # groups with a failure, if that ends a group
-        known = False  # whether `limits` are those of this machine
+        stopped: set[str] = set()  # groups that ended at a failure
+        known = False  # whether `limits` are scaled to this machine
         while waiting or running:
             while waiting and len(running) < self._jobs:
                 running.append(self._run(waiting.popleft(), limits, stopped))
@@ -281,10 +281,10 @@ class Pool:
 
 
 def _wait_for(future: Future[Any]) -> None:
-    """Wait, a second at a time.
+    """Wait, one second at a time.
 
-    Python handles a signal only between two of its steps, so one that comes just before a
-    wait without an end would never be handled.
+    Python handles signals only between its own steps. If a signal came just before a wait
+    without a timeout, it would not be handled until the wait ended.
     """
     while wait([future], timeout=1).not_done:
         pass

@@ -1,4 +1,4 @@
-"""The results of a judging: of its cases, its groups and the whole. Nothing is run here."""
+"""The results of a judging: of each case, of each group and of the whole."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ NOT_RUN = "not run"
 
 @dataclass(frozen=True, slots=True)
 class Scale:
-    """How many times slower than the calibrating machine this one is, at least 1.
+    """How many times slower this machine is than the calibrating one, at least 1.
 
-    source: where the figure comes from, for people.
+    source: a short text for the user that says where the figure comes from.
     """
 
     factor: float
@@ -46,7 +46,7 @@ class CaseResult:
 
 @dataclass(frozen=True, slots=True)
 class GroupResult:
-    """A group: all or nothing. whole: all of its cases were chosen."""
+    """The result of a group, which scores all or nothing. whole: all of its cases were chosen."""
 
     name: str
     verdict: Verdict
@@ -118,7 +118,7 @@ def first_failure(verdicts: Iterable[Verdict | None]) -> Verdict:
 def group_results(
     problem: Problem, all_cases: Sequence[Case], results: Sequence[CaseResult]
 ) -> tuple[GroupResult, ...]:
-    """Gather results, in order, into groups. One scores if all of its cases were run and are AC."""
+    """Gather results, in order, into groups. A group scores if all of its cases are AC."""
     points = {group.name: group.points for group in problem.groups}
     groups = []
     for name in dict.fromkeys(result.case.group for result in results):

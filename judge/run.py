@@ -1,4 +1,4 @@
-"""One run of a compiled submission on one test case, judged."""
+"""Runs a compiled submission on one test case and judges the run."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from judge.sandbox.sandbox import Sandbox, SandboxError
 
 
 def run_case(sandbox: Sandbox, program: Program, limits: RunLimits, case: Case) -> CaseResult:
-    """Run a program on one test case and judge it. What the machine fails to do is JE."""
+    """Run a program on one test case and judge it. A fault of the machine is JE."""
     try:
         directory = sandbox.new_directory("output-")
         output = directory / "stdout"

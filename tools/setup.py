@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Make the kit's own environment, .venv, with what pyproject.toml asks for.
+"""Make the kit's environment, .venv, with the packages that pyproject.toml lists.
 
-    python3 tools/setup.py          what judging needs
-    python3 tools/setup.py --dev    and what tests and checks of the code need
+    python3 tools/setup.py          the packages for judging
+    python3 tools/setup.py --dev    also those for tests and checks of the code
 
-Needs nothing but Python and, once, a package index. Run again, it repairs and
-updates. Exit status: 0 ready, 2 not, with one line that says what to do.
+It needs only Python and access to a package index. If it is run again, it repairs and
+updates. Exit status: 0 ready; 2 not ready, with one line that says what to do.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ def main() -> int:
 
 
 def run(command: list[str]) -> subprocess.CompletedProcess[str]:
-    """Run a command to its end and return what it said."""
+    """Run a command to its end and return its status and output."""
     return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
@@ -81,8 +81,8 @@ def works() -> bool:
 def pip_command() -> list[str] | None:
     """Return the command of a pip that installs into the environment, None if there is none.
 
-    The pip of this Python can do it from outside, which spares seconds; an old or a missing
-    one is replaced by one inside.
+    The environment's own pip comes first. Otherwise this Python's pip installs from outside,
+    which saves seconds. If it is missing or too old, ensurepip makes one inside.
     """
     outside = [sys.executable, "-m", "pip", "--python", str(PYTHON)]
     inside = [str(PYTHON), "-m", "pip"]
@@ -97,7 +97,7 @@ def pip_command() -> list[str] | None:
 
 def requirements(dev: bool) -> list[str]:
     """Return what the kit needs, as pyproject.toml lists it."""
-    import tomllib  # not at the top: older Pythons must get as far as our message
+    import tomllib  # not at the top: on an older Python, our message comes first
 
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     return [

@@ -1,1 +1,1 @@
-"""Measures what the time limit rests on."""
+"""Measures the margins of the time limit."""

@@ -1,7 +1,7 @@
 """`make calibrate`, or `python -m judge.calibrate`: measure the margins of the time limit.
 
-The scale of this machine that was kept for judgings is forgotten: it is measured again when
-a verdict depends on it.
+It also deletes the kept scale of this machine, so the next judging that needs the scale
+measures it again.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from judge.sandbox.sandbox import Sandbox
 
 
 def written(text: str, limit_s: float, reference_s: float) -> str:
-    r"""Return the text of problem.toml with both figures in place, and nothing else changed.
+    r"""Return the text of problem.toml with both figures replaced and nothing else changed.
 
     >>> written("time_limit_s = 5.0  # why\\nreference_cpu_s = 1.0\\n", 4.5, 0.25)
     'time_limit_s = 4.5  # why\\nreference_cpu_s = 0.25\\n'
@@ -47,7 +47,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )
     parser.add_argument("--write", action="store_true", help="write the figures to problem.toml")
     parser.add_argument(
-        "--only", metavar="TEXT", default="", help="submissions whose name has TEXT"
+        "--only", metavar="TEXT", default="", help="only submissions whose name contains TEXT"
     )
     command = partial(_calibrate, parser, arguments)
     return run("calibrate", command, interrupted="interrupted, nothing was written")
@@ -63,7 +63,7 @@ def _calibrate(parser: argparse.ArgumentParser, arguments: Sequence[str] | None)
         if name.startswith(("accepted/", "time_limit_exceeded/")) and only in name
     ]
     if not names:
-        raise JudgeError(f"--only {only!r}: expected part of a name in accepted/ or a slow one's")
+        raise JudgeError(f"--only {only!r}: expected part of a name of an accepted or slow one")
     with Store() as store:
         cases = load_data(problem, store=store).chosen
     console = PlainConsole()
@@ -81,14 +81,14 @@ def _calibrate(parser: argparse.ArgumentParser, arguments: Sequence[str] | None)
     console.print(_table(found, declared_s, problem))
     proposal_s = found.proposal(declared_s)
     if proposal_s is None:
-        console.print("no limit keeps both margins: make the slow ones slower by other data")
+        console.print("no limit keeps both margins: the data must make the slow submissions slower")
         return 1
     console.print(f"time_limit_s = {proposal_s}, reference_cpu_s = {reference_s}")
     if write and not only:
         text = written(PROBLEM_FILE.read_text(), proposal_s, reference_s)
         write_whole(PROBLEM_FILE, text.encode())
         load()
-        console.print("problem.toml is written; the limit in problem.md is changed by hand")
+        console.print("problem.toml is written; change the limit in problem.md by hand")
     return 0
 
 

@@ -1,10 +1,10 @@
-"""What the time limit rests on: the times of the slowest accepted and the fastest slow runs.
+"""The margins of the time limit: between the slowest accepted and the fastest slow submission.
 
 Every submission declared AC or TLE in a group is timed there. The limit must be
 `ac_to_time_limit` times the slowest accepted run, and the fastest slow submission must
 take `time_limit_to_tle` times the limit (the time multipliers of the Kattis problem
-package format). A slow one is ended at BOUND_FACTOR times what is asked of it, and on its
-first case over that: it takes "at least" so long.
+package format). A slow submission is stopped at BOUND_FACTOR times that, and is not run on
+further cases of the group: its time is then "at least" so long.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ STEP_S = 0.5  # limits are multiples of this
 
 @dataclass(frozen=True, slots=True)
 class Time:
-    """The slowest run of a submission in a group. at_least: it was ended at `cpu_s`."""
+    """The slowest run of a submission in a group. at_least: it was stopped at `cpu_s`."""
 
     submission: str
     group: str
@@ -41,7 +41,7 @@ class Time:
 
 @dataclass(frozen=True, slots=True)
 class Margins:
-    """What the limit must lie between: `slowest` accepted and `fastest` slow one."""
+    """The limit must lie between `least_s`, set by `slowest`, and `most_s`, set by `fastest`."""
 
     slowest: Time
     fastest: Time | None
@@ -49,17 +49,17 @@ class Margins:
     most_s: float
 
     def fits(self, limit_s: float) -> bool:
-        """Does this limit keep both margins?"""
+        """Tell whether this limit keeps both margins."""
         return self.least_s <= limit_s <= self.most_s
 
     def proposal(self, declared_s: float) -> float | None:
-        """Return the declared limit if it fits, else the least that does, else None."""
+        """Return the declared limit if it fits, else the least multiple of STEP_S, or None."""
         rounded_s = math.ceil(self.least_s / STEP_S) * STEP_S
         return next((s for s in (declared_s, rounded_s) if self.fits(s)), None)
 
 
 def margins(times: Sequence[Time], problem: Problem) -> Margins:
-    """Return the margins that `times` leave. Raises JudgeError if nothing accepted was timed."""
+    """Return the margins that follow from `times`. Raises JudgeError if none is of an AC."""
     asked = problem.limits.time_multipliers
     accepted = [time for time in times if time.expected is Verdict.AC]
     slow = [time for time in times if time.expected is Verdict.TLE]
@@ -93,7 +93,7 @@ def measure(
         if not own or expected not in ({Verdict.AC}, {Verdict.TLE}):
             continue
         runs = []
-        for case in sorted(own, key=_size, reverse=True):  # what is slow is slow there first
+        for case in sorted(own, key=_size, reverse=True):  # large inputs reveal slowness
             result = run_case(sandbox, program, limits, case)
             ended = result.verdict is Verdict.TLE
             if result.verdict is not Verdict.AC and expected != {result.verdict}:

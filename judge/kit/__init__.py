@@ -1,1 +1,1 @@
-"""What every command of the kit stands on: paths, errors, files, text, command lines."""
+"""What all commands of the kit share: paths, errors, files, text, command lines."""

@@ -1,4 +1,4 @@
-"""SHA-256 sums of files, computed once for each state of a file."""
+"""SHA-256 checksums of files. A file that has not changed is not read again."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from pathlib import Path
 from judge.kit.store import Store
 
 KIND = "sha256"
-# A file changed within one tick of the file system's clock keeps its time stamps, so what has
-# just been written is not kept. Source: git's documentation of its index, "racy git".
+# Two changes within one tick of the file system's clock leave the same time stamps, so the
+# checksum of a file written just now is not kept. Source: git's documentation, "racy git".
 SETTLED_AFTER_NS = 2_000_000_000
 
 
 class Checksums:
-    """The checksums of files, kept by path with size, inode and time stamps.
+    """Checksums, each kept with the path, size, inode and time stamps of its file.
 
-    The time of the last change of the inode cannot be set by a user, so a file that was
-    changed and given its old time back is read again. store: where to keep them; None: nowhere.
+    A user can reset the modification time of a file, but not the time of its last inode change,
+    so every changed file is read again. store: where to keep checksums; None: nowhere.
     """
 
     def __init__(self, store: Store | None = None) -> None:
@@ -28,7 +28,7 @@ class Checksums:
 
     def sha256(self, path: Path) -> str:
         """Return the checksum of a file, in hexadecimal. Raises OSError."""
-        key = os.path.abspath(path)  # noqa: PTH100 (a link is a file of its own here)
+        key = os.path.abspath(path)  # noqa: PTH100 (resolve() would follow links)
         state = _state(path.stat())
         kept = self._store.get(KIND, [key]).get(key, "") if self._store is not None else ""
         kept_state, _, kept_sum = kept.rpartition(" ")
@@ -42,13 +42,13 @@ class Checksums:
         return found
 
     def keep(self) -> None:
-        """Keep what was computed since the last call."""
+        """Write the checksums that were computed since the last call to the store."""
         if self._store is not None and self._new:
             self._store.put(KIND, self._new)
         self._new = {}
 
 
 def _state(stat: os.stat_result) -> str:
-    """Return what changes whenever the content of a file does."""
+    """Return a text that changes whenever the content of the file does."""
     figures = (stat.st_size, stat.st_dev, stat.st_ino, stat.st_mtime_ns, stat.st_ctime_ns)
     return " ".join(map(str, figures))

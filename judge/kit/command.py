@@ -1,4 +1,4 @@
-"""What every command line owes its user: one line and an exit status, never a traceback."""
+"""Every command ends with one line and an exit status, never a traceback."""
 
 from __future__ import annotations
 
@@ -24,22 +24,21 @@ def run(
     interrupted: str = "interrupted",
     reader_gone: int = READER_GONE,
 ) -> int:
-    """Return the exit status of a command, whatever becomes of it or of its streams.
+    """Run a command and return its exit status, whatever happens to it or to its streams.
 
-    A KitError, or one of `errors`, is one clear line and status 2; so is a file that cannot be
-    used, or output that cannot be written. If the reader of the output went away, as `head`
-    does, nothing is said, and the status is `reader_gone`. Interrupted: 130, and the
-    line `interrupted`.
+    KitError, `errors`, a file that cannot be used, output that cannot be written: one line on
+    standard error and status 2. If the reader of the output goes away, as `head` does: no
+    message, and status `reader_gone`. Ctrl-C: the line `interrupted` and status 130.
     """
     if sys.stderr is None:
-        sys.stderr = Path(os.devnull).open("w")  # noqa: SIM115 (to the end of the process)
+        sys.stderr = Path(os.devnull).open("w")  # noqa: SIM115 (open until the process ends)
     if sys.stdin is None:
         sys.stdin = Path(os.devnull).open()  # noqa: SIM115
     if sys.stdout is None:
         complain(f"{name}: standard output is closed")
         return FAILED
     for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):  # whatever a file is called, it can be said
+        if isinstance(stream, io.TextIOWrapper):  # any file name can be printed
             stream.reconfigure(errors="backslashreplace")
     told: tuple[type[Exception], ...] = (KitError, *errors)
     try:
@@ -64,7 +63,7 @@ def run(
 
 
 def _status(command: Callable[[], int]) -> int:
-    """Run a command; a parser of arguments ends it by SystemExit, after its own words."""
+    """Run a command; argparse prints its own message and raises SystemExit."""
     try:
         return command()
     except SystemExit as end:
@@ -72,7 +71,7 @@ def _status(command: Callable[[], int]) -> int:
 
 
 def complain(line: str) -> None:
-    """Say one line on standard error, if anybody can be told."""
+    """Print one line on standard error, if that is possible."""
     try:
         print(line, file=sys.stderr, flush=True)
     except OSError:
@@ -80,12 +79,12 @@ def complain(line: str) -> None:
 
 
 def give_up(stream: TextIO) -> None:
-    """Point a stream that cannot be written to nowhere, so that its flush at the end succeeds."""
+    """Redirect a broken stream to /dev/null, so that its flush at exit succeeds."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def whole_number(least: int, most: int | None = None) -> Callable[[str], int]:
-    """Return a type for argparse: whole numbers from `least` to `most`.
+    """Return a type for argparse that accepts whole numbers from `least` to `most`.
 
     >>> whole_number(1)("12")
     12
@@ -105,7 +104,7 @@ def whole_number(least: int, most: int | None = None) -> Callable[[str], int]:
 
 
 def add_jobs(parser: argparse.ArgumentParser, default: int, what: str) -> None:
-    """Add the option --jobs: how many of `what` at once."""
+    """Add the option --jobs, the number of simultaneous `what` (as `runs`)."""
     parser.add_argument(
         "--jobs",
         type=whole_number(1),

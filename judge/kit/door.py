@@ -1,7 +1,7 @@
-"""The door of every command: into the kit's own environment, whatever Python started it.
+"""The entry of every command: it restarts itself in the kit's environment.
 
-Any Python 3 can read this file, so that whoever comes with another interpreter, from any
-directory, is led on or told what to do.
+This file works with any Python 3 and from any directory. If the restart is impossible, it
+prints one line that says what to do.
 """
 
 import os
@@ -13,15 +13,15 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 ENVIRONMENT = ROOT / ".venv"
 MINIMUM = (3, 11)
-PACKAGES = ("msgspec", "rich", "drawsvg")  # that commands import
+PACKAGES = ("msgspec", "rich", "drawsvg")  # imported by commands
 FAILED, INTERRUPTED = 2, 130
 
 
 def start(module, script=None):  # type: (str, str | None) -> None
-    """Run `main(arguments)` of a module in the kit's environment, and end with its status.
+    """Run `main(arguments)` of a module in the kit's environment, and exit with its status.
 
-    script: the file that was started; None: the module's top folder, as by `python -m`.
-    Where there is no such environment, an interpreter that has all packages will do.
+    script: the file or folder to start again; None: the top folder of the module.
+    Without that environment, any interpreter that has all packages is accepted.
     """
     path = ROOT / (script or module.partition(".")[0])
     python = ENVIRONMENT / "bin" / "python"
@@ -42,7 +42,7 @@ def start(module, script=None):  # type: (str, str | None) -> None
 
 
 def refuse(name, why):  # type: (str, str) -> None
-    """End the process with one line."""
+    """Print one line and exit with status 2."""
     if sys.stderr is not None:
         sys.stderr.write("{}: {}\n".format(name, why))  # noqa: UP032
     sys.exit(FAILED)

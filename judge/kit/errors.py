@@ -1,10 +1,10 @@
-"""The base of every error that a user is told of."""
+"""The base class of all errors that are shown to the user."""
 
 from __future__ import annotations
 
 
 class KitError(Exception):
-    """Something the user can act on; the message is one clear line: where, expected, found.
+    """An error the user can act on. Its message is one line: where, expected, found.
 
-    Every command ends with that line and exit status 2, see `judge.kit.command`.
+    The command prints that line and exits with status 2, see `judge.kit.command`.
     """

@@ -1,4 +1,4 @@
-"""Writes files that are either whole or not there."""
+"""Writes files completely or not at all."""
 
 from __future__ import annotations
 
@@ -12,26 +12,25 @@ from judge.kit.paths import BUILD
 
 
 class FileError(KitError):
-    """A file cannot be written where it is asked for."""
+    """A file cannot be written to the requested place."""
 
 
 def write_whole(path: Path, data: bytes, *, parents: bool = False) -> None:
-    """Write `data` beside `path` and rename it there: never half a file.
+    """Write `data` to a temporary file beside `path`, then rename that file to `path`.
 
-    What is no regular file, such as a pipe or a device, is written to as it is; of a
-    symbolic link, the target is replaced.
+    A pipe or device is written to directly. A symbolic link is followed.
     parents: make missing directories.
     Raises OSError, with `path` as its file name.
     """
     target = path.resolve()
     try:
         if path.exists() and not path.is_file():
-            path.write_bytes(data)  # /dev/stdout resolves to a name that is no file's
+            path.write_bytes(data)  # /dev/stdout does not resolve to the name of a file
             return
         if parents:
             target.parent.mkdir(parents=True, exist_ok=True)
         _replace(target, data)
-    except OSError as error:  # not the name of a file that the user has never heard of
+    except OSError as error:  # name the user's file, not the temporary one
         raise OSError(error.errno, error.strerror, str(path)) from None
 
 
@@ -49,10 +48,10 @@ def _replace(target: Path, data: bytes) -> None:
 
 
 def check_place(option: str, path: Path | None) -> None:
-    """Raise FileError if a report cannot be written to `path`, before hours of work.
+    """Raise FileError if a report cannot be written to `path`. To call before hours of work.
 
-    option: what asked for it; path None: nobody did. build/ is made where it is missing;
-    other directories must be there.
+    option: the option that asked for the report. path None: no report was asked for.
+    Every directory must exist, except build/, which `write_report` makes.
     """
     if path is None:
         return

@@ -1,4 +1,4 @@
-"""Where the kit lies, and what lies where in it."""
+"""The root directory of the kit, and the paths of its main files."""
 
 from __future__ import annotations
 

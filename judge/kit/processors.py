@@ -16,8 +16,8 @@ def processors() -> int:
 def cores(topology: Path = TOPOLOGY) -> int:
     """Return how many physical cores this process may use, at least 1.
 
-    Two hardware threads of one core slow each other down, so programs whose time counts run
-    one on each core. Where the kernel does not tell which processors share a core, two do.
+    Two hardware threads of one core slow each other down, so only one measured program runs on
+    each core. If the kernel does not say which processors share a core, two are assumed to.
     """
     allowed = os.sched_getaffinity(0)
     siblings = set()

@@ -1,4 +1,4 @@
-"""The one progress bar of the kit: shown on a terminal while something takes its time."""
+"""The progress bar of all commands, shown on terminals only."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ class Bar:
         self._task = task
 
     def say(self, description: str) -> None:
-        """Change what the bar is said to be doing."""
+        """Change the description."""
         self._progress.update(self._task, description=description)
 
     def begin(self, total: int, description: str | None = None) -> None:
-        """Tell how many steps there will be."""
+        """Set the number of steps; change the description unless it is None."""
         self._progress.update(self._task, total=total, description=description)
 
     def advance(self, steps: int = 1) -> None:
-        """Count steps that are done."""
+        """Count `steps` more steps as done."""
         self._progress.advance(self._task, steps)
 
 
@@ -35,10 +35,10 @@ class Bar:
 def progress_bar(
     description: str, total: int | None = None, console: Console | None = None
 ) -> Iterator[Bar]:
-    """Show a bar while the block runs, and nothing of it afterwards.
+    """Show a bar while the block runs, and remove it afterwards.
 
-    total: None as long as nobody knows. console: where; standard error if None. Where that
-    is no terminal, nothing is shown.
+    total: the number of steps; None: not known yet. console: where to show the bar; None:
+    standard error. Nothing is shown if that is not a terminal.
     """
     from rich.progress import (
         BarColumn,

@@ -1,7 +1,7 @@
-"""What commands keep for each other: texts by kind and key, in one SQLite file.
+"""A cache shared by all commands: strings by kind and key, in one SQLite file.
 
-Everything in it can be computed again, so a file that cannot be used costs time and
-nothing else: a damaged one is replaced, and where none can be written, nothing is kept.
+Everything in it can be computed again, so its loss costs only time. A damaged file is
+replaced. If no file can be written, nothing is kept after the process ends.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ SCHEMA = """
 
 
 class Store:
-    """Texts by kind and key. Any number of threads and processes may use one file at once."""
+    """Strings by kind and key. Any number of threads and processes may use one file at once."""
 
     def __init__(self, path: Path = STORE) -> None:
         self._lock = threading.Lock()
@@ -45,7 +45,7 @@ class Store:
         self.close()
 
     def get(self, kind: str, keys: Iterable[str]) -> dict[str, str]:
-        """Return what is kept for these keys. O(keys * log(kept))."""
+        """Return the stored values of these keys; others are left out. O(keys * log(stored))."""
         wanted, found = list(keys), {}
         for start in range(0, len(wanted), KEYS_IN_ONE_QUERY):
             some = wanted[start : start + KEYS_IN_ONE_QUERY]
@@ -56,7 +56,7 @@ class Store:
         return found
 
     def put(self, kind: str, values: Mapping[str, str]) -> None:
-        """Keep these values, in place of what was kept for their keys."""
+        """Store these values; they replace earlier values of the same keys."""
         rows = [(kind, key, value) for key, value in values.items()]
         with self._lock, contextlib.suppress(sqlite3.Error), self._connection:
             self._connection.executemany("INSERT OR REPLACE INTO kept VALUES (?, ?, ?)", rows)
@@ -68,13 +68,13 @@ class Store:
 
 
 def _open(path: Path) -> sqlite3.Connection:
-    """Open the file; replace a damaged one; make do with memory where none can be written."""
+    """Open the file. Replace a damaged one; if no file can be written, use memory."""
     for place in (path, path, ":memory:"):
         try:
             if place is path:
                 path.parent.mkdir(parents=True, exist_ok=True)
             connection = sqlite3.connect(place, timeout=BUSY_TIMEOUT_S, check_same_thread=False)
-            connection.execute("PRAGMA synchronous = OFF")  # lost in a power failure: no harm
+            connection.execute("PRAGMA synchronous = OFF")  # a power failure may lose it: no harm
             connection.execute(SCHEMA)
             return connection
         except sqlite3.OperationalError:  # locked for long, read-only, no space: not damaged

@@ -1,4 +1,4 @@
-"""Foreign bytes made fit to print: no control characters, nothing long."""
+"""Makes untrusted text safe to print: no control characters, limited length."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ ELLIPSIS = "…"
 
 
 def printable(data: bytes, limit: int = 40) -> str:
-    r"""Return `data` as one line of printable ASCII of at most `limit` characters and a `…`.
+    r"""Return `data` as one line of printable ASCII, cut to `limit` characters and a `…`.
 
     Every other byte becomes `\xNN`, so that no output can move a cursor, fake a
     verdict or break a table. O(limit).
@@ -24,9 +24,9 @@ def printable(data: bytes, limit: int = 40) -> str:
 
 
 def printable_lines(data: bytes, lines: int = 12, width: int = 160) -> str:
-    """Return the first `lines` lines of `data`, each cut to `width`; a last `…` if there are more.
+    """Return the first `lines` lines of `data`, each cut to `width`, and a `…` if there are more.
 
-    Text in UTF-8 stays readable; whatever is not printable is escaped.
+    UTF-8 text stays readable; unprintable bytes and characters are escaped.
     """
     text = data.decode("utf-8", "backslashreplace").expandtabs(4).strip("\r\n")
     found = text.splitlines()
@@ -37,7 +37,7 @@ def printable_lines(data: bytes, lines: int = 12, width: int = 160) -> str:
 
 
 def printable_name(name: str, width: int = 400) -> str:
-    """Return a name or a message of ours on one line, whatever file names it holds."""
+    """Return a file name, or a message that holds one, as one printable line."""
     return _printable_text(name, width)
 
 

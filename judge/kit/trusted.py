@@ -1,4 +1,4 @@
-"""Runs the kit's own programs, which need no sandbox: an input in, its answers out."""
+"""Runs the kit's own programs on an input, without a sandbox, and reads their answers."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ANSWERS = frozenset({"YES", "NO"})
 
 
 class ProgramError(KitError):
-    """A program of the kit failed, or wrote something that is no answer."""
+    """A program of the kit failed, or did not write one answer per scenario."""
 
 
 def python_command(program: Path) -> tuple[str, ...]:
@@ -27,7 +27,7 @@ def run_trusted(
 ) -> bytes:
     """Run a program on an input and return its standard output.
 
-    name: what messages call it. Raises ProgramError unless it ends with status 0 in time.
+    name: its name in messages. Raises ProgramError unless it ends with status 0 in time.
     """
     try:
         run = subprocess.run(
@@ -44,7 +44,7 @@ def run_trusted(
 
 
 def read_answers(name: str, output: bytes, scenarios: int) -> list[str]:
-    """Return the answers in an output, one per scenario. Raises ProgramError if it is none."""
+    """Return the answers in an output, one per scenario. Raises ProgramError for anything else."""
     answers = output.decode(errors="replace").split()
     if len(answers) != scenarios:
         raise ProgramError(f"{name}: expected {scenarios} answers, found {len(answers)}")

@@ -1,4 +1,4 @@
-"""The language of a text that has no file name."""
+"""Guesses the language of a source text that has no file name."""
 
 from __future__ import annotations
 
@@ -7,18 +7,19 @@ from functools import cache
 
 from judge.languages.table import LANGUAGES, Language, by_name
 
-GUESS_CHARS = 1 << 20  # more than any problem allows
+GUESS_CHARS = 1 << 20  # more than any limit on the source
 
 
 def guess(text: str) -> Language | None:
-    """Return the language that the text itself tells, None if nothing does.
+    """Return the language of a source text, None if nothing hints at one.
 
-    A `#!` line decides first. Then a text that looks like Python is Python, whose comments
-    and strings may hold anything. Then the languages are tried in their order, as the
+    A `#!` line for Python or PyPy decides. Otherwise, a text that looks like Python is Python;
+    this comes early because its comments and strings may hold hints of other languages.
+    Otherwise, the first language with a matching hint is taken; the order matters because the
     hints of later ones also occur in texts of earlier ones. Only the first GUESS_CHARS
-    count; linear time.
+    characters are read. Linear time.
     """
-    # The hints allow any white space; where there is never more than one, they are linear.
+    # A hint such as `\s*` is slow on long white space, so each run of it becomes one space.
     lines = (re.sub(r"\s+", " ", line).rstrip() for line in text[:GUESS_CHARS].split("\n"))
     text = "\n".join(line for line in lines if line)
     first = text[: text.find("\n")] if text.startswith("#!") else ""
@@ -32,7 +33,7 @@ def guess(text: str) -> Language | None:
 
 
 def _python_block() -> re.Pattern[str]:
-    """Return what finds an import, or the head of a block, as only Python writes them."""
+    """Return a pattern for an import or the head of a block as only Python writes them."""
     return _pattern(
         r"^(?:import|from)\s+\w[\w.]*(?:\s+import\b.*|\s+as\s+\w+|\s*,.*)?$",
         r"^\s*(?:def|class|for|while|if|with|try)\b.*:\s*(?:#.*)?$",
@@ -40,7 +41,7 @@ def _python_block() -> re.Pattern[str]:
 
 
 def _statement_end() -> re.Pattern[str]:
-    """Return what finds a line that ends as no line of Python does."""
+    """Return a pattern for lines of other languages: ending in `;` or `{`, or `package main`."""
     return _pattern(r"[;{]\s*(?://.*)?$", r"^\s*package\s+main\b")
 
 

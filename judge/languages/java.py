@@ -1,12 +1,12 @@
-"""What a Java source is called: its file, and the class whose `main` is run."""
+"""Finds two names in a Java source: of its file, and of the class whose `main` is run."""
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass
 
-# Comments and literals may hold anything, braces and the word `class` too. What is not closed
-# is taken as well: to look for its end from every beginning would be quadratic.
+# Comments and literals, which may hold braces and the word `class`. Unclosed ones match too:
+# to search for a missing end from every possible start would be quadratic.
 _NO_CODE = re.compile(
     r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"\"\".*?(?:\"\"\"|\Z)"
     r"|\"(?:\\.|[^\"\\\n])*\"?|'(?:\\.|[^'\\\n])*'?",
@@ -14,7 +14,7 @@ _NO_CODE = re.compile(
 )
 _TOKEN = re.compile(r"[\w$]+|[.(){};=]")
 _KINDS = {"class", "interface", "enum", "record"}
-_LONGEST_STEM_BYTES = 240  # a file of it, and of its class, can have that name
+_LONGEST_STEM_BYTES = 240  # with `.java` or `.class`, still a valid file name
 
 
 @dataclass(slots=True)
@@ -27,7 +27,7 @@ class _Type:
 
 
 def java_names(text: str) -> tuple[str, str]:
-    """Return the stem of the file that javac wants, and the full name of the class to run.
+    """Return the stem of the file name that javac wants, and the full name of the class to run.
 
     The file is named after the public top-level class, `Main` if there is none. The
     class to run is the top-level one that holds `static void main`. O(len(text)).
@@ -41,7 +41,7 @@ def java_names(text: str) -> tuple[str, str]:
     stem = next((each.name for each in types if each.public), "Main")
     main = next((each.name for each in types if each.has_main), stem)
     if len(stem.encode()) > _LONGEST_STEM_BYTES:
-        stem = "Main"  # the compiler will say that this is not its name
+        stem = "Main"  # the compiler will report the wrong name
     return stem, f"{package}.{main}" if package else main
 
 
@@ -49,9 +49,9 @@ def _read(tokens: list[str]) -> tuple[str, list[_Type]]:
     """Return the package, empty if there is none, and the top-level types, in one pass."""
     package, types = "", []
     depth = 0
-    statement: list[str] = []  # since the last brace or semicolon
-    words: set[str] = set()  # since the last sign but a dot
-    declared: _Type | None = None  # around all this
+    statement: list[str] = []  # tokens since the last brace or semicolon
+    words: set[str] = set()  # tokens since the last sign other than a dot
+    declared: _Type | None = None  # the type around the current token
     last = before = ""
     for token in tokens:
         if declared is None and last in _KINDS and before != ".":

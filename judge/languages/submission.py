@@ -27,7 +27,7 @@ LONGEST_SOURCE_BYTES = 1 << 24  # far beyond any limit on the source's length
 
 
 class SubmissionError(KitError):
-    """What was given cannot be a submission."""
+    """The given file or text cannot be a submission."""
 
 
 class CompileError(KitError):
@@ -55,9 +55,9 @@ class Program:
     command: Command
 
     def reason(self, stderr: bytes) -> str:
-        """Return the line of standard error that says why the program crashed, or nothing.
+        """Return the line of standard error that says why the program crashed; it may be empty.
 
-        In most languages it is the last one.
+        In most languages that is the last line.
         """
         lines = printable_lines(stderr, lines=1000, width=120).splitlines()
         mark = self.submission.language.error_line
@@ -66,7 +66,7 @@ class Program:
 
 
 def read_source(file: IO[bytes]) -> bytes:
-    """Return the content of a file, cut off at a length that no limit allows."""
+    """Return at most the first LONGEST_SOURCE_BYTES of a file."""
     return file.read(LONGEST_SOURCE_BYTES)
 
 
@@ -114,7 +114,7 @@ def _read_once(path: Path) -> tuple[bytes, tuple[int, int]]:
 def from_source(source: bytes, name: str, language: Language | None = None) -> Submission:
     """Check a source text and guess its language if none is given. Raises SubmissionError.
 
-    A byte order mark, which some editors write and some compilers refuse, is left out.
+    A byte order mark is removed: some editors write one, and some compilers refuse it.
     """
     source = source.removeprefix(codecs.BOM_UTF8)
     if not source.strip():
@@ -128,7 +128,8 @@ def from_source(source: bytes, name: str, language: Language | None = None) -> S
     if found is None:
         names = ", ".join(each.name for each in LANGUAGES)
         raise SubmissionError(
-            f"{name}: the text does not tell its language; give --language with one of {names}"
+            f"{name}: the language cannot be guessed from the text; give --language with one of "
+            f"{names}"
         )
     return Submission(name, found, source)
 
@@ -172,7 +173,7 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
         }.get(facts.stopped, f"more than {run_limits.time_limit_s:.0f} s")
         raise CompileError(f"the compiler was stopped: {limit}\n{said}".rstrip())
     if facts.exit_status != 0:
-        sandbox.check_space()  # or the compiler is blamed for a full disk
+        sandbox.check_space()  # a full disk is not a compile error
         ended = f"signal {facts.signal}" if facts.signal else f"exit status {facts.exit_status}"
         raise CompileError(said or f"the compiler ended with {ended} and said nothing")
     command = tools.run_command(inside, source_name, main, limits.memory_mib)
@@ -180,7 +181,7 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
 
 
 def _names(submission: Submission) -> tuple[str, str]:
-    """Return the source file's name, and that of what is run."""
+    """Return the name of the source file, and of the program or class to run."""
     language = submission.language
     stem = main = "submission"
     if language.name == "Java":

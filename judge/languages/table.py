@@ -21,7 +21,7 @@ class LanguageError(KitError):
 
 
 class Language(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """One language; the head of `languages.toml` says what the fields mean."""
+    """One language; the head of `languages.toml` explains the fields."""
 
     name: str
     suffixes: Words
@@ -42,9 +42,9 @@ LANGUAGES = msgspec.convert(tomllib.loads(FILE.read_text(encoding="utf-8")), _Ta
 
 
 def by_name(name: str) -> Language:
-    """Return the language called `name`, case and spaces aside (`python`, `C++`, `pypy3`, `cpp`).
+    """Return the language called `name`; case and spaces do not matter (`python`, `C++`, `cpp`).
 
-    Raises LanguageError with the known names.
+    Raises LanguageError, which lists the known names.
     """
     wanted = _plain(name)
     for language in LANGUAGES:
@@ -57,7 +57,7 @@ def by_name(name: str) -> Language:
 
 
 def by_suffix(path: Path) -> Language | None:
-    """Return the language of a file's suffix, None if no language has it."""
+    """Return the language that has the suffix of `path`, None if there is none."""
     suffix = path.suffix.lower()
     return next((language for language in LANGUAGES if suffix in language.suffixes), None)
 

@@ -17,7 +17,7 @@ from judge.languages.table import Language, LanguageError
 from judge.sandbox.sandbox import Command
 
 SYSTEM_PATH = "/usr/local/bin:/usr/bin:/bin"
-ISOLATED = ".python"  # below the program's directory
+ISOLATED = ".python"  # in the program's directory
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,10 +30,10 @@ class Toolchain:
     prefixes: tuple[str, ...]
 
     def prepare(self, directory: Path) -> None:
-        """Put into a program's directory what its commands need besides the source.
+        """Add to a program's directory what its commands need besides the source.
 
-        An isolated Python is a virtual environment without packages: three entries, so that
-        `site` works as usual and finds the standard library only. Raises OSError.
+        For an isolated Python, that is a virtual environment without packages: three entries.
+        `site` works as usual in it, and finds only the standard library. Raises OSError.
         """
         if self.language.isolated_python:
             interpreter = Path(self.paths[self.language.tools[0]])
@@ -47,7 +47,7 @@ class Toolchain:
         return self._command(self.language.compile, directory, source, Path(source).stem, 0)
 
     def run_command(self, directory: Path, source: str, main: str, memory_mib: int) -> Command:
-        """Return the command that runs `main` of what was compiled, within `memory_mib`."""
+        """Return the command that runs the compiled program or class `main`."""
         return self._command(self.language.run, directory, source, main, memory_mib)
 
     def _command(
@@ -98,12 +98,12 @@ def _needed(tool: str, path: Path) -> list[Path]:
 
 
 def _own_python() -> str:
-    """The interpreter behind the virtual environment: one Python for the kit and submissions."""
+    """Return the interpreter behind the virtual environment: submissions run on it, too."""
     return os.path.realpath(sys.executable)
 
 
 def _behind_rustup(path: str) -> str:
-    """Return the compiler itself: rustup's stand-in of that name needs a home directory."""
+    """Return the real compiler, not rustup's proxy, which needs a home directory."""
     try:
         asked = subprocess.run(
             [path, "--print", "sysroot"], capture_output=True, text=True, timeout=30, check=True

@@ -1,4 +1,4 @@
-"""Test cases: pairs of an input and an answer file, found in a directory and put in order."""
+"""Finds the test cases in a directory: pairs of an input and an answer file."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ REBUILD = "run 'make data'"
 
 
 class CasesError(KitError):
-    """The test cases cannot be used; one clear line."""
+    """The test cases cannot be used."""
 
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """One test case. name: its path below the data directory without ending, `secret/large/03`."""
+    """One test case. name: its path in the data directory without suffix, `secret/large/03`."""
 
     name: str
     group: str
@@ -30,7 +30,7 @@ class Case:
 
 
 def group_of(name: str) -> str:
-    """Return the group of a case by its name: `secret/large/03` is of `large`.
+    """Return the group of the case called `name`.
 
     >>> group_of("sample/01"), group_of("secret/large/03"), group_of("loose")
     ('sample', 'large', '.')
@@ -40,19 +40,19 @@ def group_of(name: str) -> str:
 
 
 def case_at(directory: Path, name: str) -> Case:
-    """Return the case called `name` in a data directory, whether its files are there or not."""
+    """Return the case called `name` in a data directory; its files need not exist."""
     stem = directory / name
     files = (stem.with_name(f"{stem.name}{ending}") for ending in (".in", ".ans"))
     return Case(name, group_of(name), *files)
 
 
 def find_cases(directory: Path, problem: Problem) -> list[Case]:
-    """Return every case below `directory`: by group as declared, then by name.
+    """Return every case below `directory`, sorted by group as declared, then by name.
 
-    `sample/…` and `secret/<group>/…` belong to the declared groups; what stands
-    elsewhere forms a group named by its directory (`.` for the top), after those.
-    `invalid_input` holds no cases. Raises CasesError for half a pair, an empty answer
-    file, or no case at all. O(files).
+    A case in `sample/` or `secret/<group>/` belongs to that group. Any other case belongs
+    to a group named after its directory (`.` for the top), after the declared ones.
+    `invalid_input/` is skipped. Raises CasesError for half a pair, an empty answer
+    file, or no case at all. O(n log n) for n files.
     """
     if not directory.is_dir():
         what = "not a directory" if directory.exists() else "no such directory"
@@ -83,7 +83,7 @@ def find_cases(directory: Path, problem: Problem) -> list[Case]:
 
 
 def _is_blank(answer: Path) -> bool:
-    """Tell whether an answer file holds nothing, which a silent program would match."""
+    """Tell whether an answer file is blank: a program that prints nothing would match it."""
     try:
         with answer.open("rb") as file:
             return not any(line.strip() for line in file)
@@ -95,7 +95,7 @@ def select(cases: Sequence[Case], groups: Sequence[str], globs: Sequence[str]) -
     """Return the cases of any of `groups` whose name matches any of `globs`; empty means all.
 
     A glob matches the whole name or its last parts (`03-*`, `large/*`). Raises
-    CasesError for a group that no case has and for globs that match nothing.
+    CasesError for a group without cases and for a glob that matches nothing.
     """
     known = sorted({case.group for case in cases})
     for group in groups:

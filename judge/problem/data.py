@@ -1,4 +1,4 @@
-"""The test cases of a data directory: found, chosen, complete and unchanged, in one call."""
+"""Loads the test cases of a data directory: finds, selects and checks them in one call."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from judge.problem.manifest import Manifest, file_faults, load_manifest
 
 @dataclass(frozen=True, slots=True)
 class Data:
-    """Test cases in their order. all: every one of the directory; chosen: those asked for."""
+    """The test cases of a directory, in order. all: every one; chosen: the selected ones."""
 
     directory: Path
     all: tuple[Case, ...]
@@ -25,7 +25,7 @@ class Data:
 
     @property
     def partial(self) -> bool:
-        """Whether the chosen cases are not all of the kit's own."""
+        """Whether `chosen` differs from all of the kit's own cases."""
         return self.directory != DATA or len(self.chosen) < len(self.all)
 
 
@@ -36,11 +36,11 @@ def load_data(
     globs: Sequence[str] = (),
     store: Store | None = None,
 ) -> Data:
-    """Return the test cases of `directory`, and those of `groups` that match `globs` (empty: all).
+    """Find the test cases of `directory`; choose those of `groups` that match `globs`.
 
-    The kit's own directory must have every case of the wanted groups, and everywhere the
-    chosen cases must be what the manifest says. store: keeps checksums, so that unchanged
-    files are not read again. Raises CasesError, ManifestError.
+    Empty groups or globs: all. The kit's own directory must have every case of these groups. In
+    any directory, the chosen cases must match the manifest. store: keeps checksums, so that
+    unchanged files are not read again. Raises CasesError, ManifestError.
     """
     manifest = load_manifest(directory)
     cases = find_cases(directory, problem)
@@ -55,7 +55,10 @@ def load_data(
 def check_complete(
     manifest: Manifest, cases: Sequence[Case], groups: Sequence[str], directory: Path
 ) -> None:
-    """Raise CasesError unless each of `groups` has its cases: large files are not committed."""
+    """Raise CasesError if a group has no cases, or lacks one of the manifest.
+
+    Large cases are not committed: they must be built first.
+    """
     for group in groups:
         if all(case.group != group for case in cases):
             below = "sample" if group == "sample" else f"secret/{group}"
@@ -69,7 +72,7 @@ def check_complete(
 def check_unchanged(
     manifest: Manifest, cases: Sequence[Case], directory: Path, checksums: Checksums
 ) -> None:
-    """Raise CasesError for the first file that is not what the manifest says."""
+    """Raise CasesError for the first file that differs from the manifest."""
     for case in cases:
         entry = manifest.cases.get(case.name)
         if entry is None:

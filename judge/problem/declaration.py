@@ -1,4 +1,4 @@
-"""The declaration of the problem, `problem.toml`, loaded, checked and frozen."""
+"""Loads and checks `problem.toml`, the declaration of the problem."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class Calibration(Strict, frozen=True):
 
 
 class Constraints(Strict, frozen=True):
-    """What every input file obeys."""
+    """The bounds that every input file keeps."""
 
     max_scenarios: Positive
     max_vertices: Positive
@@ -63,7 +63,7 @@ class Constraints(Strict, frozen=True):
 
 
 class Group(Strict, frozen=True):
-    """A test group: all or nothing, with what it promises beyond the constraints."""
+    """A test group, which scores all or nothing, and its promises beyond the constraints."""
 
     name: Name
     points: Annotated[int, msgspec.Meta(ge=0)]
@@ -74,7 +74,7 @@ class Group(Strict, frozen=True):
 
 
 class Problem(Strict, frozen=True):
-    """The whole of `problem.toml`."""
+    """The content of `problem.toml`."""
 
     name: str
     short_name: Name
@@ -99,8 +99,8 @@ class Problem(Strict, frozen=True):
     def expected(self, submission: str, group: str) -> frozenset[Verdict]:
         """Return the permitted verdicts of a submission (path below submissions/) in a group.
 
-        What the submission's own line does not name is as its folder's line says, and AC if
-        that does not name it either. KeyError for an undeclared submission.
+        The submission's own entry counts first, then its folder's, then AC. Raises KeyError for
+        an undeclared submission.
         """
         folder = self.folders.get(submission.partition("/")[0], {})
         declared = self.submissions[submission].get(group, folder.get(group, Verdict.AC.value))
@@ -128,7 +128,7 @@ def load(path: Path = PROBLEM_FILE) -> Problem:
 def _check_names(problem: Problem, path: Path) -> None:
     names = problem.group_names
     if len(set(names)) != len(names):
-        raise SpecError(f"{path}: groups: a name stands twice in {names}")
+        raise SpecError(f"{path}: groups: a name occurs twice in {names}")
     lines = {f"folders.{folder}": expected for folder, expected in problem.folders.items()}
     lines |= {f'submissions."{name}"': expected for name, expected in problem.submissions.items()}
     for line, expected in lines.items():

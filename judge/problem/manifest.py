@@ -1,7 +1,7 @@
 """The manifest of a data directory: how each test case was made, and the checksums of its files.
 
-A directory without `manifest.json` is not held to anything; nor is a case that the
-manifest does not name.
+Nothing is checked in a directory without `manifest.json`, or for a case that the manifest
+does not name.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class ManifestError(KitError):
 
 
 class FileSum(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """The size and the SHA-256 sum (hexadecimal) of one file."""
+    """The size and the SHA-256 checksum (hexadecimal) of one file."""
 
     bytes: int
     sha256: str
@@ -52,7 +52,7 @@ class Entry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Manifest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """All test cases, by their names."""
+    """All test cases, by name."""
 
     version: int
     cases: dict[str, Entry]
@@ -72,7 +72,7 @@ def load_manifest(directory: Path) -> Manifest:
 
 
 def save_manifest(directory: Path, cases: Mapping[str, Entry]) -> None:
-    """Write the manifest of `directory`. Raises OSError; no reader ever sees half of it."""
+    """Write the manifest of `directory`, completely or not at all. Raises OSError."""
     text = msgspec.json.format(msgspec.json.encode(Manifest(VERSION, dict(cases))), indent=1)
     write_whole(directory / MANIFEST, text + b"\n", parents=True)
 
@@ -85,7 +85,7 @@ def sum_of(content: bytes) -> FileSum:
 def file_faults(
     directory: Path, name: str, entry: Entry, checksums: Checksums
 ) -> list[tuple[Path, str]]:
-    """Return each file of the case `name` that is not what `entry` says, and what is wrong."""
+    """Return each file of the case `name` that differs from `entry`, and how."""
     stem = directory / name
     files = (
         (stem.with_name(f"{stem.name}.in"), entry.input),

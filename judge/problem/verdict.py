@@ -1,4 +1,4 @@
-"""The verdicts, in one definition for judging, declarations and reports."""
+"""The verdicts, defined once for judging, declarations and reports."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What a judging looks like: on the terminal, as JSON, as JUnit XML."""
+"""The reports of a judging: on the terminal, as JSON, as JUnit XML."""

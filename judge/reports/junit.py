@@ -1,9 +1,9 @@
 """The JUnit report: the same verdicts, for tools that show test results.
 
 A group is a test suite and a case a test case. AC passes; JE is an error; every other
-verdict is a failure of that type; what was not run is skipped. A program that does not
-compile fails as one more test case, `compile`, so that no reader takes skipped for fine.
-Source: the schema of Jenkins' xUnit plugin (junit-10.xsd), which CI systems agree on.
+verdict is a failure of that type; a case that was not run is skipped. A compile error adds a
+failing test case, `compile`, because skipped cases alone would look like a success.
+Source: the schema of Jenkins' xUnit plugin (junit-10.xsd), which CI systems share.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def to_junit(judging: Judging) -> bytes:
         ("memory_limit_mib", judging.memory_mib),
     ):
         ET.SubElement(facts, "property", name=name, value=str(value))
-    for suite in root:  # the format has no place for them but in a suite
+    for suite in root:  # the format allows properties only in a suite
         suite.insert(0, facts)
     ET.indent(root)
     text: bytes = ET.tostring(root, encoding="utf-8", xml_declaration=True)

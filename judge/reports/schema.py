@@ -1,7 +1,7 @@
-"""The JSON report: its schema, as the types below say it.
+"""The JSON report. The types below define its schema.
 
-`make schema` writes docs/report.schema.json. Version 2 has all keys of version 1, with their
-names and meanings, and more: a reader of version 1 can read it if it skips unknown keys.
+`make schema` writes docs/report.schema.json. Version 2 keeps all keys of version 1 and adds
+some: a reader of version 1 can read it if it skips unknown keys.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ Points = Annotated[int, msgspec.Meta(ge=0)]
 class MismatchReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """The first difference between an output and the answer; new in version 2.
 
-    scenario: number of the answer, from 1. line, column: where it stands in the output, from
-    1; of a missing answer, the end of the output. expected null: the output goes on
-    after the last answer; found null: it ends too early.
+    scenario: number of the answer, from 1. line, column: its place in the output, from 1; for
+    a missing answer, the end of the output. expected null: the output has too many answers;
+    found null: it has too few.
     """
 
     scenario: int
@@ -151,7 +151,7 @@ def json_schema() -> bytes:
         **msgspec.json.schema(Report),
     }
     text = msgspec.json.format(msgspec.json.encode(schema), indent=2) + b"\n"
-    return text.replace(b"\\n    ", b"\\n")  # docstrings, without their indentation
+    return text.replace(b"\\n    ", b"\\n")  # removes the indentation of docstrings
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What a person sees of a judging: live progress, the table of groups, the first failure."""
+"""The report on the terminal: live progress, the table of groups, the first failure."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ OTHER_COLOUR = "bold magenta"
 
 @contextmanager
 def live(console: Console) -> Iterator[Events]:
-    """Print a line per finished case, and on a terminal a bar below them, as the events come."""
+    """Print a line for each case as it ends; on a terminal, also show a bar below the lines."""
     with progress_bar("judging", console=console) as bar:
 
         def show(result: CaseResult) -> None:
             bar.advance()
-            if result.verdict is not None:  # the table says how many cases were not run
+            if result.verdict is not None:  # the table counts the cases that were not run
                 console.print(case_line(result), soft_wrap=True)
 
         yield Events(phase=bar.say, start=lambda cases: bar.begin(cases, "judging"), result=show)
@@ -130,11 +130,11 @@ def _print_failure(console: Console, failure: CaseResult) -> None:
     if failure.mismatch is not None and failure.mismatch.expected is not None:
         number = failure.mismatch.scenario
         lines += f"\n  see it .venv/bin/python -m pictures show {given} {number} > scene.svg"
-    console.print(Text(lines), soft_wrap=True)  # a path broken in two cannot be copied
+    console.print(Text(lines), soft_wrap=True)  # a wrapped path could not be copied
 
 
 def shown(path: Path) -> str:
-    """Return a path as one would type it here: relative if it lies below this directory."""
+    """Return a path to type here: relative if it is below the current directory."""
     here = Path.cwd()
     return printable_name(str(path.relative_to(here) if path.is_relative_to(here) else path))
 

@@ -1,8 +1,8 @@
-"""Finds where this process may make control groups (cgroup v2), if anywhere.
+"""Finds the place where this process may make control groups (cgroup v2), if there is one.
 
-It may do so below its own control group if that was delegated to its user, as systemd does
-for `systemd-run --user --scope -p Delegate=yes ./checker.py ...`, or if it is root and
-nothing forbids it. `judge.sandbox.keeper.cgroup` makes them.
+A process may make them below its own control group if that was delegated to its user, as by
+`systemd-run --user --scope -p Delegate=yes ./checker.py ...`, or if it is root and nothing
+forbids it. `judge.sandbox.keeper.cgroup` makes them.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ END_TIMEOUT_S = 2.0
 
 
 class Cgroups:
-    """The control group to make others in: `directory`, None if there is none.
+    """The control group in which others can be made: `directory`, None if there is none.
 
-    Only a control group without processes of its own can enable controllers below it. If this
-    process is alone in its control group, which then was made for it, it moves into one below,
-    LEAF, and back when this is closed. Otherwise the new ones have no controllers: they count
-    CPU time and end processes, and limit nothing.
+    A control group can enable controllers for those below it only if it holds no process. If
+    this process is alone in its control group, it moves into a new one below it, LEAF, and
+    moves back on `close`. Otherwise the new control groups have no controllers: they count CPU
+    time and can kill processes, but limit nothing.
 
     process: this process's directory in /proc.
     """
@@ -50,13 +50,13 @@ class Cgroups:
             self._limits = any(name in passed_on for name in CONTROLLERS)
 
     def request(self, name: str) -> CgroupRequest | None:
-        """Return what a keeper needs to make some, named `name` and more; None: it cannot."""
+        """Return what a keeper needs to make control groups `name-…`; None: it cannot make any."""
         if self.directory is None:
             return None
         return CgroupRequest(str(self.directory / name), self._limits)
 
     def close(self, name: str) -> None:
-        """Remove those that a killed keeper has left, and undo the move."""
+        """Remove the control groups `name-…` that a killed keeper has left, and undo the move."""
         if self.directory is None:
             return
         give_up = time.monotonic() + END_TIMEOUT_S
@@ -112,7 +112,7 @@ def _own_group(process: Path) -> Path | None:
 
 
 def _may_make_groups(directory: Path) -> bool:
-    """Tell by trying: file modes say nothing where file systems are read-only."""
+    """Tell by trying, because file modes do not show that a file system is read-only."""
     trial = directory / f"{LEAF}-{secrets.token_hex(8)}"
     try:
         trial.mkdir()

@@ -1,4 +1,4 @@
-"""What one run may use, and what was seen of it. Facts only: verdicts are made elsewhere."""
+"""The limits of one run and the facts about it. Verdicts are decided elsewhere."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from judge.sandbox.keeper.protocol import Facts, Stop
 
 __all__ = ["Facts", "RunLimits", "Stop"]
 
-# The kill limit lies above the verdict limit, so that a program at the limit is
-# measured rather than cut, and a report shows by how much it was over.
+# The kill limit lies above the verdict limit, so that a program slightly over the limit
+# runs to its end, and the report shows by how much it was over.
 KILL_FACTOR = 1.1
 KILL_MARGIN_S = 0.25
 ELAPSED_FACTOR = 2.0
@@ -18,7 +18,7 @@ ELAPSED_MARGIN_S = 3.0
 
 @dataclass(frozen=True, slots=True)
 class RunLimits:
-    """What one run may use, all of its processes together.
+    """What all processes of one run may use together.
 
     time_limit_s: CPU seconds; memory_mib: peak resident memory; output_mib:
     standard output and standard error together; processes: alive at once; elapsed_s:
@@ -33,7 +33,7 @@ class RunLimits:
 
     @property
     def kill_cpu_s(self) -> float:
-        """CPU seconds at which the run is ended."""
+        """The CPU seconds after which the run is stopped."""
         return KILL_FACTOR * self.time_limit_s + KILL_MARGIN_S
 
     @property

@@ -20,12 +20,12 @@ from judge.sandbox.keeper.protocol import (
     encode_request,
 )
 
-ANSWER_MARGIN_S = 30.0  # what a keeper may need beyond the limits before it is given up
+ANSWER_MARGIN_S = 30.0  # extra time for a reply before the keeper counts as lost
 END_TIMEOUT_S = 15.0
 
 
 class SandboxError(KitError):
-    """The run could not be made or watched; the program is not to blame."""
+    """The run could not be made or watched; that is not the program's fault."""
 
 
 class LostKeeperError(SandboxError):
@@ -36,7 +36,7 @@ class LostKeeperError(SandboxError):
 
 
 class Keeper:
-    """One keeper process, and the two pipes to it. It starts while others go on; see `ready`."""
+    """One keeper process and the two pipes to it. It starts in the background; see `ready`."""
 
     def __init__(self, scratch: Path) -> None:
         self._process = subprocess.Popen(
@@ -45,13 +45,13 @@ class Keeper:
             stdout=subprocess.PIPE,
             env={},
             cwd="/",
-            start_new_session=True,  # Ctrl-C is the judge's to handle
+            start_new_session=True,  # Ctrl-C must reach only the judge
         )
         self._scratch = scratch
         self._ready = False
 
     def ready(self) -> None:
-        """Wait until the keeper and its scratch directory are there. Raises SandboxError."""
+        """Wait until the keeper runs and its scratch directory exists. Raises SandboxError."""
         if not self._ready:
             answer = self._reply(ANSWER_MARGIN_S)
             if isinstance(answer, Failure):
@@ -59,11 +59,11 @@ class Keeper:
             self._ready = True
 
     def alive(self) -> bool:
-        """Tell whether the process is there."""
+        """Tell whether the process is running."""
         return self._process.poll() is None
 
     def ask(self, request: Request) -> Facts | Failure:
-        """Send one request and wait for what came of it. SandboxError: the keeper is of no use."""
+        """Send one request and wait for the reply. Raises SandboxError if the keeper is lost."""
         self.ready()
         stdin = self._process.stdin
         assert stdin is not None
@@ -84,7 +84,7 @@ class Keeper:
             ready: list[Any] = []
             give_up = time.monotonic() + timeout_s
             while not ready and (left_s := give_up - time.monotonic()) > 0:
-                # A second at a time, so that no signal that came just before is missed.
+                # One second at a time: Python handles a signal only between two waits.
                 ready, _, _ = select.select([stdout], [], [], min(left_s, 1.0))
             line = stdout.readline() if ready else b""
         except (OSError, ValueError):
@@ -94,15 +94,15 @@ class Keeper:
         return decode_reply(line)
 
     def hang_up(self) -> None:
-        """Close the control pipe: the keeper ends its run and itself."""
+        """Close the control pipe, which makes the keeper stop its run and exit."""
         if self._process.stdin is not None:
             try:
                 self._process.stdin.close()
             except OSError:
-                return  # a request that could not be written: the keeper is gone already
+                return  # an unsent request cannot be written: the keeper has exited
 
     def end(self) -> None:
-        """Hang up and wait for the end, which is forced if it does not come."""
+        """Hang up and wait until the keeper exits; kill it if it does not."""
         self.hang_up()
         try:
             self._process.wait(timeout=END_TIMEOUT_S)

@@ -1,4 +1,4 @@
-"""Finds a wall that works on this machine: by a real launch, never by its mere presence."""
+"""Finds a wall that works on this machine, by a trial launch."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class NoWallError(SandboxError):
 
 @dataclass(frozen=True, slots=True)
 class Probe:
-    """The wall that works, or None and why none does."""
+    """The wall that works; or None, and why no wall does."""
 
     wall: Wall | None
     why: str = ""

@@ -23,18 +23,18 @@ from judge.sandbox.wall import PROGRAM, SCRATCH, Wall
 
 __all__ = ["Command", "Sandbox", "SandboxError"]
 
-LEAST_SCRATCH_KIB = 1024  # a compiler that fails with less may lack space
+LEAST_SCRATCH_KIB = 1024  # if less is left, a failed compilation may lack space
 FILE_MIB = 256  # the largest file a run may write into its scratch directory
 ENDED = "the judging was ended"
 
 
 @dataclass(frozen=True, slots=True)
 class Command:
-    """What to execute.
+    """A command to run.
 
-    argv[0]: an absolute path, as seen from within; env: the whole environment but for
-    HOME and TMPDIR; directory: the program's own, which is all that a wall shows of ours;
-    prefixes: directories outside the system that the tools of its language live in.
+    argv[0]: an absolute path, as the program sees it. env: the whole environment except
+    HOME and TMPDIR. directory: the program's own, the only one of ours that a wall shows.
+    prefixes: directories outside the system that hold the tools of its language.
     """
 
     argv: tuple[str, ...]
@@ -47,9 +47,9 @@ class Sandbox:
     """A pool of keepers and a scratch directory, both gone when it is closed.
 
     Any number of threads may call `run` at once; each run has a keeper to itself. keepers:
-    how many to start at once.
-    The keepers make the scratch directory, and remove it when this process dies, however
-    it does. Raises SandboxError if there is no place for it.
+    how many to start in advance.
+    The keepers make the scratch directory, and remove it when this process dies for any
+    reason. Raises SandboxError if they cannot make it.
     """
 
     def __init__(self, wall: Wall | None = None, keepers: int = 1) -> None:
@@ -65,8 +65,8 @@ class Sandbox:
             for _ in range(keepers):
                 self._all.append(Keeper(self.scratch))
             self._idle += self._all
-            self._idle[-1].ready()  # the one that is taken first
-        except BaseException:  # it may have been killed just after it made the directory
+            self._idle[-1].ready()  # the first run takes this one
+        except BaseException:  # even KeyboardInterrupt: the directory may exist
             self.close()
             raise
 
@@ -90,7 +90,7 @@ class Sandbox:
         stdin: Path | None = None,
         compiling: bool = False,
     ) -> Facts:
-        """Run `command` to its end and return what was seen; no process of it remains.
+        """Run `command` to its end and return the facts; no process is left.
 
         stdin: file fed through a pipe, None for an empty one. stdout: file that
         receives at most `limits.output_bytes`. It runs in an empty directory that is
@@ -160,7 +160,7 @@ class Sandbox:
         return reply
 
     def inside(self, directory: Path) -> Path:
-        """Return where a program's `directory` appears to the program."""
+        """Return the path at which a program sees its `directory`."""
         return directory if self.wall is None else PROGRAM
 
     def new_program_directory(self) -> Path:
@@ -172,15 +172,15 @@ class Sandbox:
         return directory
 
     def _open_to_all(self, command: Command) -> bool:
-        """May every user walk to what the command needs?"""
+        """Tell whether every user can reach the files that the command needs."""
         needed = (os.path.realpath(command.argv[0]), *command.prefixes, f"{self.scratch}/run")
         try:
             return all(map(open_to_all, needed))
-        except OSError:  # it is not there, as will be said soon enough
+        except OSError:  # a file is missing: the launch will report it
             return False
 
     def new_directory(self, prefix: str) -> Path:
-        """Return an empty directory that lives as long as the sandbox. Raises SandboxError."""
+        """Return an empty directory that exists until `close`. Raises SandboxError."""
         if self._closed:
             raise SandboxError(ENDED)
         try:
@@ -189,7 +189,7 @@ class Sandbox:
             raise SandboxError(f"{self.scratch}: no scratch space: {error.strerror}") from None
 
     def check_space(self) -> None:
-        """Raise SandboxError if next to no space is left for scratch files."""
+        """Raise SandboxError if less than LEAST_SCRATCH_KIB is left for scratch files."""
         seen = os.statvfs(self.scratch)
         left_kib = seen.f_bavail * seen.f_frsize >> 10
         if left_kib < LEAST_SCRATCH_KIB:
@@ -199,7 +199,7 @@ class Sandbox:
             )
 
     def close(self) -> None:
-        """End all runs and keepers, and remove the scratch directory; twice does no harm."""
+        """Stop all runs and keepers and remove the scratch directory; may be called twice."""
         with self._lock:
             self._closed = True
             keepers = list(self._all)

@@ -1,13 +1,13 @@
-"""The system-call filter of the wall, assembled by hand: no library, no surprise.
+"""The system-call filter of the wall, assembled here without a library.
 
-It refuses what a contest program never needs and an attacker could use: mounting, new
+It refuses calls that a contest program never needs and an attacker could use: mounting, new
 namespaces, tracing others, kernel keys, BPF, io_uring, memory that no process shows,
 sockets, the kernel's log, and typing into the terminal. Refused calls fail with EPERM. Calls
-whose arguments the filter cannot see fail with ENOSYS, so that libraries use the older ones.
+whose arguments the filter cannot see fail with ENOSYS, so that libraries use older calls.
 
-Two more things would hide CPU time. An executable file that its owner cannot read loses its
-performance counter, so no program may make one. Children of a process that ignores SIGCHLD are
-not charged to it: where there is no performance counter, SIGCHLD cannot be ignored.
+Two more tricks would hide CPU time. A process that executes a file which its owner cannot read
+loses its performance counter, so no program may make such a file. Children of a process that
+ignores SIGCHLD are not charged to it, so without a performance counter no program may ignore it.
 Source: Linux, Documentation/userspace-api/seccomp_filter.rst; linux/filter.h.
 """
 
@@ -18,13 +18,13 @@ import struct
 
 AUDIT_ARCH = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}
 
-# number on x86_64, on aarch64; ABSENT: it does not exist there
+# the number of each call on x86_64 and on aarch64; ABSENT: the call does not exist there
 ABSENT = -1
 REFUSED: dict[str, tuple[int, int]] = {
     "socket": (41, 198),
-    "sendmsg": (46, 211),  # the kernel keeps descriptors that are being sent
+    "sendmsg": (46, 211),  # descriptors in transit stay open in the kernel
     "sendmmsg": (307, 269),
-    "setsockopt": (54, 208),  # could enlarge its buffer
+    "setsockopt": (54, 208),  # could enlarge a socket's buffer
     "shmget": (29, 194),
     "semget": (64, 190),
     "msgget": (68, 186),
@@ -46,7 +46,7 @@ REFUSED: dict[str, tuple[int, int]] = {
     "add_key": (248, 217),
     "request_key": (249, 218),
     "keyctl": (250, 219),
-    "setxattr": (188, 5),  # access lists
+    "setxattr": (188, 5),  # could set access lists
     "lsetxattr": (189, 6),
     "fsetxattr": (190, 7),
     "setxattrat": (463, 463),
@@ -54,7 +54,7 @@ REFUSED: dict[str, tuple[int, int]] = {
     "perf_event_open": (298, 241),
     "fanotify_init": (300, 262),
     "open_by_handle_at": (304, 265),
-    "inotify_init": (253, ABSENT),  # its queues hold memory
+    "inotify_init": (253, ABSENT),  # its queues hold kernel memory
     "inotify_init1": (294, 26),
     "setns": (308, 268),
     "process_vm_readv": (310, 270),
@@ -76,10 +76,10 @@ REFUSED: dict[str, tuple[int, int]] = {
     "mount_setattr": (442, 442),
     "memfd_secret": (447, 447),
 }
-UNSEEN = [(435, 435), (437, 437)]  # clone3, openat2: their arguments lie in memory
+UNSEEN = [(435, 435), (437, 437)]  # clone3, openat2: their arguments are in memory
 CLONE, IOCTL, MMAP = (56, 220), (16, 29), (9, 222)
 SIGACTION, UMASK = (13, 134), (95, 166)
-# Calls that give a file its mode, and which argument that is.
+# Calls that set the mode of a file, and the index of that argument.
 MODES = [
     ((90, ABSENT), 1),  # chmod
     ((91, 52), 1),  # fchmod
@@ -89,7 +89,7 @@ MODES = [
     ((133, ABSENT), 1),  # mknod
     ((259, 33), 2),  # mknodat
 ]
-OPENS = [((2, ABSENT), 1), ((257, 56), 2)]  # open, openat: the flags; the mode comes next
+OPENS = [((2, ABSENT), 1), ((257, 56), 2)]  # open, openat: the index of the flags; the mode is next
 MAKES_A_FILE = 0x400040  # O_CREAT, O_TMPFILE
 READABLE, EXECUTABLE = 0o400, 0o111  # by its owner, by anybody
 NAMESPACES = 0x7E020000  # CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET
@@ -100,7 +100,7 @@ X32_BIT = 0x40000000
 
 Instruction = tuple[int, int, int, int]
 LOAD, JUMP_EQ, JUMP_GE, JUMP_SET, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
-# Offsets in struct seccomp_data; of arguments, the low words.
+# Offsets in struct seccomp_data. An argument is a low word, then, at HIGH, a high one.
 NUMBER, ARCH, ARGUMENTS, ARGUMENT_BYTES, HIGH = 0, 4, 16, 8, 4
 ALLOW: Instruction = (RETURN, 0, 0, 0x7FFF0000)
 KILL: Instruction = (RETURN, 0, 0, 0x80000000)
@@ -109,7 +109,7 @@ KILL: Instruction = (RETURN, 0, 0, 0x80000000)
 def filter_program(machine: str, *, counted: bool = True) -> bytes:
     """Return the filter for a machine (`x86_64`, `aarch64`). Raises KeyError for another.
 
-    counted: a performance counter counts the CPU time of all children.
+    counted: whether a performance counter counts the CPU time of all children.
     """
     column = list(AUDIT_ARCH).index(machine) if machine in AUDIT_ARCH else None
     if column is None:
@@ -119,7 +119,7 @@ def filter_program(machine: str, *, counted: bool = True) -> bytes:
         code += [(JUMP_GE, 0, 1, X32_BIT), _fail(errno.EPERM)]
 
     def on(call: tuple[int, int], *block: Instruction) -> None:
-        """Add what happens on a call; the block returns in any case."""
+        """Run `block` on this call; it must end in a return."""
         if call[column] != ABSENT:
             code.extend([(JUMP_EQ, 0, len(block), call[column]), *block])
 
@@ -139,7 +139,7 @@ def filter_program(machine: str, *, counted: bool = True) -> bytes:
         on(call, _load(flags), (JUMP_SET, 1, 0, MAKES_A_FILE), ALLOW, *_unreadable(flags + 1))
     on(UMASK, _load(0), (JUMP_SET, 0, 1, READABLE), _fail(errno.EPERM), ALLOW)
     if not counted:
-        # The second argument is the address of what to do; 0 only asks.
+        # The second argument is the address of the new action; 0 only reads the old one.
         anything = _load(1), (JUMP_EQ, 0, 3, 0), _load(1, HIGH), (JUMP_EQ, 0, 1, 0)
         on(SIGACTION, _load(0), (JUMP_EQ, 0, 4, SIGCHLD), *anything, ALLOW, _fail(0))
     code.append(ALLOW)
@@ -156,6 +156,6 @@ def _fail(error: int) -> Instruction:
 
 
 def _unreadable(mode: int) -> tuple[Instruction, ...]:
-    """Refuse a mode with which somebody can execute what its owner cannot read."""
+    """Refuse a mode that lets anybody execute a file which its owner cannot read."""
     tests = (JUMP_SET, 0, 2, EXECUTABLE), (JUMP_SET, 1, 0, READABLE)
     return _load(mode), *tests, _fail(errno.EPERM), ALLOW

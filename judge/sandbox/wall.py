@@ -1,8 +1,8 @@
-"""The wall around a program: what it may see of this machine, which is next to nothing.
+"""The wall around a program, which hides nearly all of this machine from it.
 
-Bubblewrap gives every run its own user, pid, network, ipc, uts, cgroup and mount namespaces:
-a read-only system, the program's own directory, and scratch space in memory that is limited
-and ends with the run; no home, no data, no answers, no network, no capability.
+Bubblewrap gives every run its own user, pid, network, ipc, uts, cgroup and mount namespaces.
+The program has a read-only system, its own directory, and limited scratch space in memory that
+ends with the run. It has no home, no data, no answers, no network and no capability.
 `judge.sandbox.keeper.wall` builds it; `judge.sandbox.seccomp` makes the system-call filter.
 """
 
@@ -26,14 +26,14 @@ from judge.sandbox.keeper.protocol import WallRequest
 from judge.sandbox.keeper.wall import open_to_all
 from judge.sandbox.seccomp import filter_program
 
-PROGRAM = Path("/program")  # where a program's directory appears to it
+PROGRAM = Path("/program")  # where a program sees its directory
 SCRATCH = Path("/tmp")
 RUN_SCRATCH_MIB = 64
 COMPILER_SCRATCH_MIB = 512
 SHARED_MEMORY_MIB = 16
 
 SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64")
-# What run-time systems and compilers read of /etc: neither accounts nor keys.
+# What run-time systems and compilers read in /etc; it holds no accounts and no keys.
 RUN_SETTINGS = ("alternatives", "ld.so.cache", "java*")
 COMPILER_SETTINGS = (*RUN_SETTINGS, "ld.so.conf", "ld.so.conf.d")
 
@@ -57,8 +57,8 @@ class Wall:
     ) -> WallRequest:
         """Return what the keeper needs to build the wall.
 
-        program: the directory to show at PROGRAM, None for none; writable: its compiler
-        writes there; prefixes: directories outside the system that its tools live in.
+        program: the directory to show at PROGRAM; None: no directory. writable: whether a
+        compiler may write there. prefixes: directories outside the system that hold its tools.
         """
         scratch_mib = COMPILER_SCRATCH_MIB if writable else RUN_SCRATCH_MIB
         scratch = {"/dev/shm": SHARED_MEMORY_MIB << 20, str(SCRATCH): scratch_mib << 20}
@@ -118,7 +118,7 @@ def _empty(place: str) -> tuple[str, ...]:
 
 @cache
 def _version(bwrap: Path) -> str:
-    """Return what a bwrap calls itself, `bubblewrap 0.11.0`, or just `bubblewrap`."""
+    """Return the name and version of a bwrap, `bubblewrap 0.11.0`, or just `bubblewrap`."""
     try:
         asked = subprocess.run(
             [bwrap, "--version"], capture_output=True, env={}, timeout=10, check=True

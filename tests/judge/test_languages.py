@@ -45,7 +45,7 @@ def test_the_guess_for_every_submission_agrees_with_its_suffix() -> None:
 
 def test_a_text_of_no_language() -> None:
     assert guess("to be or not to be\n") is None
-    with pytest.raises(SubmissionError, match=r"standard input: .* does not tell .* --language"):
+    with pytest.raises(SubmissionError, match=r"standard input: .* guessed from .* --language"):
         from_source(b"to be or not to be\n", "standard input")
 
 

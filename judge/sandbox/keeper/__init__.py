@@ -1,9 +1,9 @@
-"""The keeper: launches programs one at a time, watches their processes, ends them all.
+"""The keeper: launches programs one at a time, watches their processes and kills them all.
 
-Its own process (`BOOT`), small and single-threaded on purpose: a child's peak memory
-starts at its parent's, a death signal fires when the launching *thread* ends, and only
-a child subreaper sees the CPU time of processes that outlive their parents. It imports
-little of the standard library and nothing else of `judge`.
+It is a process of its own (`BOOT`). It is small, because a child's peak memory starts at its
+parent's. It is single-threaded, because a death signal is sent when the launching *thread*
+ends. It is a child subreaper, because only such a process sees the CPU time of processes that
+outlive their parents. It imports little of the standard library and nothing else of `judge`.
 """
 
 BOOT = (

@@ -2,7 +2,7 @@
 
 The kernel's accounting misses children that are reaped automatically, and sampling misses
 short-lived ones; an inherited performance counter misses nothing. Where the kernel or a
-container refuses a counter, the other two counts must do.
+container refuses a counter, only the other two counts are used.
 Source: perf_event_open(2).
 """
 
@@ -20,13 +20,13 @@ INHERIT, EXCLUDE_KERNEL, EXCLUDE_HYPERVISOR = (
     1 << 1,
     1 << 5,
     1 << 6,
-)  # needs no privilege; a clock counts kernel time all the same
+)  # so it needs no privilege; this clock counts kernel time anyway
 FLAGS_OFFSET = 40
 CLOSE_ON_EXEC = 8
 
 
 class Clock:
-    """Counts from the moment it is made, with every process that `pid` starts later."""
+    """Counts from now on, including every process that `pid` starts later."""
 
     def __init__(self, pid: int) -> None:
         attributes = bytearray(ATTRIBUTES_BYTES)
@@ -37,7 +37,7 @@ class Clock:
 
     @property
     def granted(self) -> bool:
-        """Whether there is a counter, and it was not closed."""
+        """Whether there is an open counter."""
         return self._fd >= 0
 
     def cpu_s(self) -> float:
@@ -48,7 +48,7 @@ class Clock:
         return float(counted_ns / 1e9)
 
     def close(self) -> None:
-        """Close the counter; more than once does no harm."""
+        """Close the counter; may be called more than once."""
         if self.granted:
             os.close(self._fd)
             self._fd = -1

@@ -26,7 +26,7 @@ class LaunchError(Exception):
 
 
 class Launched(NamedTuple):
-    """A started program, what counts its time, and our non-blocking ends of its pipes.
+    """A started program, the counters of its time, and our non-blocking ends of its pipes.
 
     wall_stands: a pipe that stays empty if bubblewrap failed to start.
     """
@@ -41,7 +41,7 @@ class Launched(NamedTuple):
 
 
 def launch(request: Request) -> Launched:
-    """Start the program. Raises LaunchError, after which nothing of it is left."""
+    """Start the program. Raises LaunchError; then no process or open file is left."""
     stdin, feed = os.pipe()
     take_out, stdout = os.pipe()
     take_err, stderr = os.pipe()
@@ -62,7 +62,7 @@ def launch(request: Request) -> Launched:
     cgroup = Cgroup(directory, pid, request.memory_mib, 4 * request.processes)
     for fd in (stdin, stdout, stderr, wall_starting, complain, gate, opened):
         os.close(fd)
-    problem = os.read(complaint, 4096)  # ends at once when the program is executed
+    problem = os.read(complaint, 4096)  # exec closes the other end, so this returns at once
     os.close(complaint)
     if problem:
         os.waitpid(pid, 0)
@@ -80,8 +80,8 @@ def place_of_cgroup(request: Request, clock: Clock) -> str | None:
     """Return where to make a control group, None if there is no place or nothing to gain.
 
     Moving a process into a control group stops the whole machine for a moment. Nothing is
-    gained where the clock counts every process, a wall ends every process, and no controller
-    holds anything.
+    gained if the clock counts every process, a wall ends every process, and no controller
+    limits anything.
     """
     cgroup = request.cgroup
     if cgroup is None or (clock.granted and request.wall and not cgroup.limits):
@@ -90,7 +90,7 @@ def place_of_cgroup(request: Request, clock: Clock) -> str | None:
 
 
 def become(request: Request, standard: tuple[int, int, int], wall_starting: int, gate: int) -> None:
-    """In the child: turn into the program. Never returns; raises OSError."""
+    """In the child: become the program. Never returns. Raises OSError."""
     if not request.wall:  # bubblewrap makes a session of its own
         os.setsid()
     for target, fd in enumerate(standard):
@@ -98,17 +98,17 @@ def become(request: Request, standard: tuple[int, int, int], wall_starting: int,
     for number in IGNORED:
         signal.signal(number, signal.SIG_DFL)  # exec would keep that they are ignored
     if request.wall and os.getuid() == 0:
-        # All walls of root run as one user, who shares this limit among them: what holds the
-        # program is set inside the wall.
+        # Root's programs all run as one user and share this limit, so it is high. The limit
+        # of each program is set inside its wall.
         processes = SHARED_PROCESSES
-    else:  # it does not hold root
+    else:  # this limit does not bind root
         user = NOBODY if request.drop else os.getuid()
         processes = 4 * request.processes + threads_of(user)
     for what, value in (
         (resource.RLIMIT_CORE, 0),
-        (resource.RLIMIT_CPU, int(request.kill_cpu_s) + 2),  # should the keeper itself be stopped
-        (resource.RLIMIT_STACK, request.memory_mib << 20),  # deep recursion is no crime
-        (resource.RLIMIT_NOFILE, OPEN_FILES),  # each may hold kernel memory that is not counted
+        (resource.RLIMIT_CPU, int(request.kill_cpu_s) + 2),  # in case the keeper is stopped
+        (resource.RLIMIT_STACK, request.memory_mib << 20),  # so that deep recursion works
+        (resource.RLIMIT_NOFILE, OPEN_FILES),  # each may hold uncounted kernel memory
         (resource.RLIMIT_FSIZE, request.file_mib << 20),
         (resource.RLIMIT_NPROC, processes),
     ):

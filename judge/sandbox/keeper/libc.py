@@ -1,4 +1,4 @@
-"""The C library, for what Python has no call for."""
+"""The C library, for calls that Python does not offer."""
 
 from __future__ import annotations
 

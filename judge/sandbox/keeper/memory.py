@@ -24,7 +24,7 @@ class Memory:
     """Measures the memory of one program at every sample.
 
     scratch: the wall's memory file systems by place, with their sizes in bytes; empty
-    without a wall. What they hold is the program's, and no process shows it.
+    without a wall. Their content counts as the program's memory; no process shows it.
     """
 
     def __init__(self, scratch: Mapping[str, int]) -> None:
@@ -111,6 +111,6 @@ def distinct(processes: Sequence[Process]) -> list[Process]:
 
 
 def _same_memory(one: Process, other: Process) -> bool:
-    """Source: kcmp(2). Where the kernel does not tell, they are not the same."""
+    """Tell whether two processes share their memory; False if unknown. Source: kcmp(2)."""
     first, second = (int(process.place.rpartition("/")[2]) for process in (one, other))
     return system_call(KCMP, first, second, KCMP_VM, 0, 0) == 0

@@ -1,4 +1,4 @@
-"""The three pipes of a program, served without ever waiting for it."""
+"""Serves the three pipes of a program without ever waiting for it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ BLOCK_BYTES = 1 << 16
 
 
 class Feeder:
-    """Feeds a file to a pipe: a program could overwrite a file that it was given directly."""
+    """Feeds a file to a pipe. A program that was given the file itself could overwrite it."""
 
     def __init__(self, source: int, pipe: int) -> None:
         self.fd = pipe
@@ -29,20 +29,20 @@ class Feeder:
                 self._block = self._block[os.write(self.fd, self._block) :]
             except BlockingIOError:
                 return True
-            except BrokenPipeError:  # the program does not want to read it all
+            except BrokenPipeError:  # the program has closed its input early
                 break
         self.close()
         return False
 
     def close(self) -> None:
-        """Close the pipe; more than once does no harm."""
+        """Close the pipe; may be called more than once."""
         if self._open:
             os.close(self.fd)
             self._open = False
 
 
 class Sink:
-    """Takes the first `limit` bytes of standard output into a file, and the other's head."""
+    """Writes at most `limit` bytes of standard output to a file; keeps the head of stderr."""
 
     def __init__(self, stdout: int, stderr: int, file: int, limit: int) -> None:
         self.open_fds = [stdout, stderr]
@@ -64,10 +64,10 @@ class Sink:
         return more
 
     def drain(self) -> None:
-        """Take what is left in the pipes and close them; all processes that could write are gone.
+        """Read what is left in the pipes and close them. All writers must have ended.
 
-        The pipe need not have ended: the kernel may still hold a writing end that was sent over
-        a socket and never received.
+        This does not wait for the end of a pipe: the kernel may still hold a writing end that
+        was sent over a socket and never received.
         """
         for fd in self.open_fds:
             with contextlib.suppress(BlockingIOError):
@@ -88,7 +88,7 @@ class Sink:
 
 
 def _write_all(fd: int, block: bytes) -> None:
-    """Write a block; a disk that is nearly full takes only a part at first. Raises OSError."""
+    """Write a whole block; one call may write only a part of it. Raises OSError."""
     rest = memoryview(block)
     while rest:
         rest = rest[os.write(fd, rest) :]

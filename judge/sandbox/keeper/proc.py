@@ -1,4 +1,4 @@
-"""What /proc says of the processes below this one."""
+"""Reads what /proc says about the processes below this one."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def tasks(pid: int) -> list[str]:
 
 
 def threads_of(user: int) -> int:
-    """Return how many threads a user has: RLIMIT_NPROC counts them all."""
+    """Return how many threads a user has, which is what RLIMIT_NPROC counts."""
     count = 0
     for process in Path("/proc").glob("[0-9]*"):
         with contextlib.suppress(OSError):
@@ -52,9 +52,9 @@ def threads_of(user: int) -> int:
 class Process(NamedTuple):
     """One sample of a live process.
 
-    place: its directory in /proc, or that of one of its threads if the first thread has
-    ended, as that shows no memory any more. own_s, waited_s: CPU seconds, its own and those
-    of the children that it reaped. mapped_mib: its address space, used or not.
+    place: its directory in /proc; if its first thread has ended, which then shows no memory,
+    that of another thread. own_s, waited_s: CPU seconds, its own and those of the children
+    that it reaped. mapped_mib: its address space, used or not.
     """
 
     pid: int

@@ -1,7 +1,7 @@
-"""What the judge asks of a keeper, and what a keeper answers: one JSON array a line.
+"""The messages between the judge and a keeper: one JSON array per line.
 
-Named tuples rather than dataclasses: the module `dataclasses` would make the keeper, and with
-it the least peak memory that a program can show, several MiB larger.
+They are named tuples because the module `dataclasses` would make the keeper several MiB larger,
+and with it the smallest peak memory that can be measured.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 
 class Stop(StrEnum):
-    """Why a run was ended from outside."""
+    """The limit for which the keeper stopped a run."""
 
     CPU = "cpu"
     ELAPSED = "elapsed"
@@ -25,9 +25,9 @@ class WallRequest(NamedTuple):
     """How to build the wall around a program.
 
     bwrap: the path of bubblewrap. args: its arguments besides the binds. binds: source,
-    destination, and whether the program may write there. scratch: the memory file systems
-    that are the program's own, by place, with their sizes in bytes. seccomp: the system-call
-    filter in hexadecimal.
+    destination, and whether the program may write there. scratch: the program's own memory
+    file systems, by place, with their sizes in bytes. seccomp: the system-call filter in
+    hexadecimal.
     """
 
     bwrap: str
@@ -40,8 +40,8 @@ class WallRequest(NamedTuple):
 class CgroupRequest(NamedTuple):
     """Where a control group can be made.
 
-    place: the beginning of its path. limits: whether controllers can hold memory or
-    processes there, so that a control group does more than count CPU time.
+    place: the beginning of its path. limits: whether controllers can limit memory or
+    processes there.
     """
 
     place: str
@@ -51,10 +51,10 @@ class CgroupRequest(NamedTuple):
 class Request(NamedTuple):
     """One run of one program.
 
-    cwd: where it starts, as seen from within. drop: whether to change from root to an
-    unprivileged user, as a wall does anyway. stdin: a file that is fed through a pipe, None
-    for an empty one; stdout: a file to write. The rest are the limits at which the program is
-    ended; file_mib: of the largest file that it may write.
+    cwd: the directory it starts in, as the program sees it. drop: whether to change from root
+    to an unprivileged user; a wall always does. stdin: a file to feed through a pipe; None:
+    empty input. stdout: a file to write. The rest are limits; file_mib: the size of any file
+    that the program writes.
     """
 
     argv: tuple[str, ...]
@@ -74,13 +74,13 @@ class Request(NamedTuple):
 
 
 class Facts(NamedTuple):
-    """What was seen of one run.
+    """The facts about one run.
 
     exit_status, signal: of the program itself; exactly one of them is None.
     cpu_s: user and system seconds of the whole process tree; elapsed_s: from launch
     to end; memory_mib: the largest sum of resident memory seen over the tree;
     output_bytes: what it wrote to standard output and standard error;
-    stopped: why it was ended, None if it ended by itself;
+    stopped: the limit for which it was stopped, None if it ended by itself;
     stderr: the first few KiB of standard error.
     """
 
@@ -101,7 +101,7 @@ class Failure(NamedTuple):
 
 
 def encode_request(request: Request) -> bytes:
-    """Return one line."""
+    """Return the request as one line."""
     return json.dumps(request).encode() + b"\n"
 
 
@@ -116,10 +116,10 @@ def decode_request(line: bytes) -> Request:
 
 
 def encode_reply(reply: Facts | Failure | None) -> bytes:
-    """Return one line. None: ready, the keeper's first reply."""
+    """Return the reply as one line. None: ready, the keeper's first reply."""
     content: list[Any] = [] if reply is None else list(reply)
     if isinstance(reply, Facts):
-        content[-1] = reply.stderr.decode("latin-1")  # any byte is one character
+        content[-1] = reply.stderr.decode("latin-1")  # each byte becomes one character
     return json.dumps(content).encode() + b"\n"
 
 

@@ -9,9 +9,9 @@ import subprocess
 
 
 def remove(directory: str | os.PathLike[str]) -> None:
-    """Remove `directory`, also with directories that nobody may enter or that are nested deeply.
+    """Remove `directory`, even if it holds closed or deeply nested directories.
 
-    Nothing is said about what stays: it can only belong to another user.
+    Only files of other users can be left; they are not reported.
     """
     with contextlib.suppress(RecursionError):
         shutil.rmtree(directory, ignore_errors=True)

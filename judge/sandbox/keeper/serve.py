@@ -1,9 +1,9 @@
 """The keeper's side of the protocol.
 
-One request a line on standard input, one reply a line on standard output, as `protocol`
-encodes them. When standard input ends, also in the middle of a run, the judge is gone:
-everything is killed and the scratch directory is removed. The first reply says that the
-keeper is ready, or why the scratch directory cannot be made.
+One request per line on standard input, one reply per line on standard output, as `protocol`
+encodes them. When standard input ends, even during a run, the judge is gone: the keeper kills
+all processes and removes the scratch directory. The first reply says that the keeper is
+ready, or why the scratch directory cannot be made.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def requests() -> Iterator[Request]:
 
 
 def answer(request: Request) -> None:
-    """Serve one request: write the facts, or why there are none. Raises TimeoutError as `run`."""
+    """Reply to one request with the facts, or with a Failure. Raises TimeoutError, see `run`."""
     reply: Facts | Failure
     failed = None
     try:
@@ -55,13 +55,13 @@ def answer(request: Request) -> None:
         reply = Failure(f"{error.filename or request.stdout}: {error.strerror}")
     os.write(1, encode_reply(reply))
     if failed is not None:
-        raise failed  # its processes would be counted with those of the next program
+        raise failed  # the processes that are left would count as the next program's
 
 
 def make(scratch: str) -> str | None:
-    """Make the scratch directory, which another keeper may have made; return what went wrong."""
+    """Make the scratch directory unless another keeper has; return an error message or None."""
     try:
-        # Behind a wall, root's programs run as another user, who may pass through but not list.
+        # Root's programs run as another user, who must be able to enter but not to list it.
         Path(scratch).mkdir(mode=0o700 if os.getuid() else 0o711)
     except FileExistsError:
         return None
@@ -73,13 +73,13 @@ def make(scratch: str) -> str | None:
 def main() -> None:
     """Serve the judge until it is gone."""
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, signal.SIG_IGN)  # the end of standard input is what ends the keeper
+        signal.signal(number, signal.SIG_IGN)  # only the end of standard input ends the keeper
     signal.signal(
         signal.SIGCHLD, signal.SIG_DFL
     )  # with SIGCHLD ignored, no child could be waited for
     LIBC.prctl(PR_SET_CHILD_SUBREAPER, 1)
-    # A fork bomb that shares the processors fairly would starve the keeper. Only root may set
-    # this; other users' programs are held by RLIMIT_NPROC, which does not hold root.
+    # A fork bomb would starve a keeper of ordinary priority. Only root may raise it; programs
+    # of other users are limited by RLIMIT_NPROC, which does not bind root.
     with contextlib.suppress(PermissionError):
         os.sched_setscheduler(0, os.SCHED_RR | os.SCHED_RESET_ON_FORK, os.sched_param(1))
     scratch = sys.argv[2]
@@ -90,7 +90,7 @@ def main() -> None:
             answer(request)
     except (JudgeGoneError, BrokenPipeError, TimeoutError):
         pass
-    # Imported only here: it would make the least peak memory of every program larger.
+    # Imported here, because an earlier import would raise the smallest measurable peak memory.
     from judge.sandbox.keeper.remove import remove
 
     remove(scratch)

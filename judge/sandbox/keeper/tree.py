@@ -1,4 +1,4 @@
-"""All processes of a program: what they used, and how they are ended."""
+"""All processes of a program: what they used, and how they are killed."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from judge.sandbox.keeper.memory import Memory
 from judge.sandbox.keeper.proc import children, descendants, look_at, read
 
 REAP_TIMEOUT_S = 10.0
-ORDERLY_END_S = 0.003  # what is left after that does not end by itself
+ORDERLY_END_S = 0.003  # processes left after that do not end by themselves
 
 
 class Tree:
-    """All processes below the keeper, which are those of the one program it runs.
+    """All processes below the keeper, which belong to the one program it runs.
 
     cpu_s: the largest of four counts. The kernel's accounting (of reaped processes, and of
     live ones with their reaped children) misses children that were reaped automatically. The
     sum over all processes at their last sample misses what happened later. The clock and the
-    control group miss nothing, where there is one.
+    control group miss nothing, but they do not exist on every machine.
 
     scratch: see `memory.Memory`.
     """
@@ -52,9 +52,9 @@ class Tree:
         self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()), self._counted_s())
 
     def starved_s(self) -> float:
-        """Return how long a live process was ready to run while others had the processors.
+        """Return for how many seconds a live process waited for a processor; of all, the longest.
 
-        The keeper's own time is left out: the program caused that work.
+        The keeper's own CPU time is subtracted, because the program caused that work.
         """
         stats = [read(f"/proc/{pid}/schedstat").split() for pid in descendants()]
         ready_s = max((int(stat[1]) / 1e9 for stat in stats if stat), default=0.0)
@@ -70,7 +70,7 @@ class Tree:
             if waited_s > REAP_TIMEOUT_S:
                 raise TimeoutError("processes of the program cannot be killed")
             if waited_s > ORDERLY_END_S:
-                # Stop them first: a stopped process cannot fork while the list is worked off.
+                # Stop them first: a stopped process cannot fork while the others are signalled.
                 signal_all(descendants(), signal.SIGSTOP)
                 signal_all(descendants(), signal.SIGKILL)
             else:
@@ -106,7 +106,7 @@ def signal_all(pids: list[int], number: int) -> None:
 
 
 def peak_mib(tree: Tree) -> float:
-    """Return the peak memory, but not the keeper's own, which a small program shows as its peak."""
+    """Return the peak memory. A small program shows the keeper's peak; then samples decide."""
     keeper_mib = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     if tree.largest_mib <= keeper_mib and tree.memory_mib > 0:
         return tree.memory_mib

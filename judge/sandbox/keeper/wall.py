@@ -1,8 +1,8 @@
-"""The keeper's side of the wall: in the child, between fork and exec, become bubblewrap.
+"""The keeper's side of the wall: the child, between fork and exec, becomes bubblewrap.
 
-Resource limits do not hold root, so a child of root becomes an unprivileged user first. That
+Resource limits do not bind root, so a child of root becomes an unprivileged user first. That
 user may be unable to reach the program's files (a home directory is closed to others), so
-root first binds them to a place of its own, in a mount namespace that nobody else sees.
+before that, root binds them to other places in a private mount namespace.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from judge.sandbox.keeper.protocol import WallRequest
 NOBODY = 65534
 CLONE_NEWNS = 0x20000
 MS_BIND, MS_REC, MS_PRIVATE, MS_NOSUID, MS_NODEV = 0x1000, 0x4000, 0x40000, 2, 4
-STAGE = "/tmp"  # every system has it; hidden here by a mount of its own
+STAGE = "/tmp"  # every system has it; a private mount covers it
 # RLIMIT_NPROC counts the processes of a user namespace only if it is set inside; dash and bash
-# name it differently. The first command tells the keeper that the wall stands: from then on,
-# the program is to blame for how it ends.
-STARTED = 9  # one digit: dash knows no other descriptors
+# name it differently. The first command tells the keeper that the wall stands: whatever fails
+# later is the program's fault.
+STARTED = 9  # dash knows only descriptors of one digit
 INNER = 'echo >&9; exec 9>&-; ulimit -u "$0" 2>/dev/null || ulimit -p "$0"; exec "$@"'
 
 
@@ -47,7 +47,7 @@ def walled(wall: WallRequest, argv: list[str], processes: int) -> tuple[str, lis
         args += ["--bind" if writable else "--ro-bind", source, destination]
     seccomp = inherited(bytes.fromhex(wall.seccomp))
     args += ["--seccomp", str(seccomp), "--remount-ro", "/"]
-    # From a descriptor, as the command line can be read from inside.
+    # Passed through a descriptor, because the program could read a command line.
     told = inherited(b"".join(arg.encode() + b"\0" for arg in args))
     inner = ["/bin/sh", "-c", INNER, str(processes), *argv]
     return bwrap, ["bwrap", "--args", str(told), "--", *inner]
@@ -61,7 +61,7 @@ def drop() -> None:
 
 
 def open_to_all(path: str) -> bool:
-    """Tell whether every user can reach `path`; only if not, a slow mount namespace is needed."""
+    """Tell whether every user can reach `path`. Otherwise a mount namespace, slow, is needed."""
     return all(parent.stat().st_mode & 0o001 for parent in Path(path).parents)
 
 

@@ -14,7 +14,7 @@ from judge.sandbox.keeper.protocol import Facts, Request, Stop
 from judge.sandbox.keeper.tree import Tree, peak_mib
 
 CONTROL = 0
-FIRST_SAMPLE_S, SAMPLE_S = 0.005, 0.02  # a short run shows its memory only early
+FIRST_SAMPLE_S, SAMPLE_S = 0.005, 0.02  # early samples, for short runs
 SAMPLE_GROWTH = 0.4
 STARVED_AT_MOST_S = 60.0
 
@@ -52,7 +52,7 @@ def run(request: Request) -> Facts:
     wall_stands = os.read(launched.wall_stands, 1) if request.wall else b"none was asked for"
     os.close(launched.wall_stands)
     if not wall_stands:
-        raise LaunchError(f"the wall does not stand: {sink.stderr.decode('latin-1').strip()}")
+        raise LaunchError(f"the wall cannot be built: {sink.stderr.decode('latin-1').strip()}")
     status = tree.status[pid]
     if request.wall and stopped is None and os.WIFSIGNALED(status):
         # This is bubblewrap's own process, which the program cannot reach.
@@ -72,7 +72,7 @@ def run(request: Request) -> Facts:
 def watch(
     pid: int, feeder: Feeder, sink: Sink, tree: Tree, started: float, request: Request
 ) -> Stop | None:
-    """Serve the pipes until the program ends (None) or passes a limit (which one)."""
+    """Serve the pipes until the program ends (return None) or passes a limit (return which)."""
     pidfd = os.pidfd_open(pid)
     poll = select.poll()
     poll.register(pidfd, select.POLLIN)
