@@ -1,8 +1,8 @@
-"""Finds the place where this process may make control groups (cgroup v2), if there is one.
+"""Finds where this process may make control groups, if anywhere.
 
-A process may make them below its own control group if that was delegated to its user, as by
-`systemd-run --user --scope -p Delegate=yes ./checker.py ...`, or if it is root and nothing
-forbids it. `judge.sandbox.keeper.cgroup` makes them.
+With version 2 it may do so below its own one if that was delegated to its user, as systemd does
+for `systemd-run --user --scope -p Delegate=yes ./checker.py ...`, or if it is root and nothing
+forbids it. With version 1 it is root. Keepers make them: `judge.sandbox.keeper.cgroup`.
 """
 
 from __future__ import annotations
@@ -14,105 +14,122 @@ import time
 from pathlib import Path
 
 from judge.sandbox.keeper.proc import read
-from judge.sandbox.keeper.protocol import CgroupRequest
 
-CONTROLLERS = ("memory", "pids")
+# What a keeper uses, and the controllers that do it in either version.
+CONTROLLERS = {2: {"memory": "memory", "pids": "pids"}}
+CONTROLLERS[1] = {**CONTROLLERS[2], "cpu": "cpuacct"}
 LEAF = "collision-course"
 END_TIMEOUT_S = 2.0
 
 
 class Cgroups:
-    """The control group in which others can be made: `directory`, None if there is none.
+    """The places for control groups by controller: `places`, empty if there is none.
 
-    A control group can enable controllers for those below it only if it holds no process. If
-    this process is alone in its control group, it moves into a new one below it, LEAF, and
-    moves back on `close`. Otherwise the new control groups have no controllers: they count CPU
-    time and can kill processes, but limit nothing.
+    Version 2: only a control group without processes of its own can enable controllers below it.
+    If this process is the only one in its own, which then was made for it, it moves into one
+    below, LEAF, and back on close. Otherwise the new ones only count CPU time.
 
     process: this process's directory in /proc.
     """
 
     def __init__(self, process: Path = Path("/proc/self")) -> None:
-        self._moved = self._limits = False
-        self.directory = _own_group(process)
-        if self.directory is None:
-            return
-        if self.directory.name == LEAF:  # moved already
-            self.directory = self.directory.parent
-        elif not _may_make_groups(self.directory):
-            self.directory = None
-        elif not self._pass_on_controllers("+") and self._alone():
-            self._moved = self._move(self.directory / LEAF)
-            if self._moved:
-                self._pass_on_controllers("+")
-        if self.directory is not None:
-            passed_on = read(self.directory / "cgroup.subtree_control").split()
-            self._limits = any(name in passed_on for name in CONTROLLERS)
+        self._moved = False
+        self.version = 2
+        self.places: dict[str, Path] = {}
+        own = _own(process)
+        below = own.get("")
+        if below is not None:
+            below = self._enabled(below)
+        enabled = [] if below is None else read(below / "cgroup.subtree_control").split()
+        if below is not None:
+            self.places = {"cpu": below} | {
+                use: below for use, name in CONTROLLERS[2].items() if name in enabled
+            }
+        if "memory" not in self.places:
+            old = {use: own.get(name) for use, name in CONTROLLERS[1].items()}
+            usable = {use: place for use, place in old.items() if place and _may_make(place)}
+            if "memory" in usable or not self.places:
+                self.version, self.places = 1, usable
 
-    def request(self, name: str) -> CgroupRequest | None:
-        """Return what a keeper needs to make control groups `name-…`; None: it cannot make any."""
-        if self.directory is None:
-            return None
-        return CgroupRequest(str(self.directory / name), self._limits)
+    @property
+    def holds_memory(self) -> bool:
+        """Whether the kernel limits the memory of programs."""
+        return "memory" in self.places
 
     def close(self, name: str) -> None:
-        """Remove the control groups `name-…` that a killed keeper has left, and undo the move."""
-        if self.directory is None:
-            return
+        """Remove what killed keepers have left (names beginning with `name`), and move back."""
         give_up = time.monotonic() + END_TIMEOUT_S
-        while (left := list(self.directory.glob(f"{name}-*"))) and time.monotonic() < give_up:
-            for group in left:
-                with contextlib.suppress(OSError):  # a process is still ending
-                    group.rmdir()
-            time.sleep(0.002)
+        for place in dict.fromkeys(self.places.values()):
+            while (left := list(place.glob(f"{name}-*"))) and time.monotonic() < give_up:
+                for group in left:
+                    with contextlib.suppress(OSError):  # a process is still ending
+                        group.rmdir()
+                time.sleep(0.002)
         if self._moved:
-            self._pass_on_controllers("-")
-            self._moved = not self._move(self.directory)
+            below = next(iter(self.places.values()))
+            _enable(below, "-")
+            self._moved = not _move(below)
             with contextlib.suppress(OSError):
-                (self.directory / LEAF).rmdir()
+                (below / LEAF).rmdir()
 
-    def _pass_on_controllers(self, sign: str) -> bool:
-        """Enable the controllers below (+) or disable them (-); return whether that worked."""
-        assert self.directory is not None
-        try:
-            there = (self.directory / "cgroup.controllers").read_text().split()
-            wanted = " ".join(f"{sign}{name}" for name in CONTROLLERS if name in there)
-            if wanted:
-                (self.directory / "cgroup.subtree_control").write_text(wanted)
-        except OSError:
-            return False
-        return True
-
-    def _alone(self) -> bool:
-        assert self.directory is not None
-        processes = read(self.directory / "cgroup.procs").split()
-        return processes == [str(os.getpid())]
-
-    def _move(self, target: Path) -> bool:
-        try:
-            target.mkdir(exist_ok=True)
-            (target / "cgroup.procs").write_text(str(os.getpid()))
-        except OSError:
-            return False
-        return True
+    def _enabled(self, own: Path) -> Path | None:
+        """Return the place in version 2, controllers enabled if possible; None if there is none."""
+        if own.name == LEAF:  # moved already
+            return own.parent
+        if not _may_make(own):
+            return None
+        alone = read(own / "cgroup.procs").split() == [str(os.getpid())]
+        if not _enable(own, "+") and alone:
+            self._moved = _move(own / LEAF)
+            if self._moved:
+                _enable(own, "+")
+        return own
 
 
-def _own_group(process: Path) -> Path | None:
-    """Return the directory of the process's control group, None if cgroup v2 is not mounted."""
-    mounts = read(process / "mountinfo").splitlines()
-    groups = read(process / "cgroup").splitlines()
-    own = [line.removeprefix("0::") for line in groups if line.startswith("0::")]
-    for mount in mounts:
+def _enable(directory: Path, sign: str) -> bool:
+    """Enable the controllers below (+) or disable them (-); return whether that worked."""
+    try:
+        there = (directory / "cgroup.controllers").read_text().split()
+        wanted = " ".join(f"{sign}{name}" for name in CONTROLLERS[2].values() if name in there)
+        if wanted:
+            (directory / "cgroup.subtree_control").write_text(wanted)
+    except OSError:
+        return False
+    return True
+
+
+def _move(target: Path) -> bool:
+    """Move this process to a control group; return whether that worked."""
+    try:
+        target.mkdir(exist_ok=True)
+        (target / "cgroup.procs").write_text(str(os.getpid()))
+    except OSError:
+        return False
+    return True
+
+
+def _own(process: Path) -> dict[str, Path]:
+    """Return the directories of the process's control groups by controller, "" for version 2."""
+    mounted: dict[str, tuple[str, str]] = {}
+    for mount in read(process / "mountinfo").splitlines():
         before, _, after = mount.partition(" - ")
-        if own and after.split(" ")[0] == "cgroup2":
-            root, place = before.split(" ")[3:5]
-            if Path(own[0]).is_relative_to(root):
-                return Path(place) / Path(own[0]).relative_to(root)
-    return None
+        root, place = before.split(" ")[3:5]
+        kind, _, options = after.split(" ", 2)
+        names = [""] if kind == "cgroup2" else options.split(" ")[-1].split(",")
+        if kind in ("cgroup", "cgroup2"):
+            mounted |= dict.fromkeys(names, (root, place))
+    found = {}
+    for line in read(process / "cgroup").splitlines():
+        _, names_here, own = line.split(":", 2)
+        for name in names_here.split(","):
+            root, place = mounted.get(name, ("", ""))
+            if root and Path(own).is_relative_to(root):
+                found[name] = Path(place) / Path(own).relative_to(root)
+    return found
 
 
-def _may_make_groups(directory: Path) -> bool:
-    """Tell by trying, because file modes do not show that a file system is read-only."""
+def _may_make(directory: Path) -> bool:
+    """Find out by making one, as file modes do not show a read-only file system."""
     trial = directory / f"{LEAF}-{secrets.token_hex(8)}"
     try:
         trial.mkdir()

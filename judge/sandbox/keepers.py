@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import select
 import subprocess
 import sys
 import time
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 from judge.kit.errors import KitError
 from judge.kit.paths import ROOT
+from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.keeper import BOOT
 from judge.sandbox.keeper.protocol import (
     Facts,
@@ -22,6 +25,8 @@ from judge.sandbox.keeper.protocol import (
 
 ANSWER_MARGIN_S = 30.0  # extra time for a reply before the keeper counts as lost
 END_TIMEOUT_S = 15.0
+NOBODY = 65534
+FIRST_USER = 2_000_000_000  # no machine gives such numbers to people or services
 
 
 class SandboxError(KitError):
@@ -38,9 +43,10 @@ class LostKeeperError(SandboxError):
 class Keeper:
     """One keeper process and the two pipes to it. It starts in the background; see `ready`."""
 
-    def __init__(self, scratch: Path) -> None:
+    def __init__(self, scratch: Path, cgroups: Cgroups) -> None:
+        places = cgroups.version, {u: f"{p}/{scratch.name}" for u, p in cgroups.places.items()}
         self._process = subprocess.Popen(
-            [sys.executable, "-I", "-S", "-c", BOOT, str(ROOT), str(scratch)],
+            [sys.executable, "-I", "-S", "-c", BOOT, str(ROOT), str(scratch), json.dumps(places)],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             env={},
@@ -57,6 +63,11 @@ class Keeper:
             if isinstance(answer, Failure):
                 raise SandboxError(f"{self._scratch.parent}: no scratch space: {answer.why}")
             self._ready = True
+
+    @property
+    def user(self) -> int:
+        """Whom root becomes to run programs: a user of this keeper's own, with own quotas."""
+        return FIRST_USER + self._process.pid if _all_users_exist() else NOBODY
 
     def alive(self) -> bool:
         """Tell whether the process is running."""
@@ -111,3 +122,10 @@ class Keeper:
             self._process.wait()
         if self._process.stdout is not None:
             self._process.stdout.close()
+
+
+@cache
+def _all_users_exist() -> bool:
+    """Tell whether every number is a user here; in many containers only the first 65,536 are."""
+    last = [line.split() for line in Path("/proc/self/uid_map").read_text().splitlines()][-1]
+    return int(last[0]) + int(last[2]) > 2 * FIRST_USER

@@ -16,7 +16,7 @@ from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import Facts, RunLimits
 from judge.sandbox.keeper.protocol import Failure, Request
 from judge.sandbox.keeper.remove import remove
-from judge.sandbox.keeper.wall import NOBODY, open_to_all
+from judge.sandbox.keeper.wall import open_to_all
 from judge.sandbox.keepers import Keeper, LostKeeperError, SandboxError
 from judge.sandbox.retry import TRIES, killed_by_another, out_of_memory_kills
 from judge.sandbox.wall import PROGRAM, SCRATCH, Wall
@@ -63,7 +63,7 @@ class Sandbox:
         self._all: list[Keeper] = []
         try:
             for _ in range(keepers):
-                self._all.append(Keeper(self.scratch))
+                self._all.append(Keeper(self.scratch, self._cgroups))
             self._idle += self._all
             self._idle[-1].ready()  # the first run takes this one
         except BaseException:  # even KeyboardInterrupt: the directory may exist
@@ -118,43 +118,46 @@ class Sandbox:
         stdout: Path,
         compiling: bool,
     ) -> Facts:
-        own, wall, home, drop = None, None, SCRATCH, False
-        if self.wall is None:
-            own = home = self.new_directory("run-")
-            drop = os.getuid() == 0 and self._open_to_all(command)
-            if drop:
-                os.chown(own, NOBODY, NOBODY)
-        else:
-            wall = self.wall.request(
-                command.directory, writable=compiling, prefixes=command.prefixes
-            )
-        request = Request(
-            argv=command.argv,
-            env={**command.env, "HOME": str(home), "TMPDIR": str(home)},
-            cwd="/" if own is None else str(own),
-            drop=drop,
-            wall=wall,
-            cgroup=self._cgroups.request(self.scratch.name),
-            stdin=None if stdin is None else str(stdin),
-            stdout=str(stdout),
-            kill_cpu_s=limits.kill_cpu_s,
-            kill_elapsed_s=limits.kill_elapsed_s,
-            memory_mib=limits.memory_mib,
-            output_bytes=limits.output_bytes,
-            processes=limits.processes,
-            file_mib=FILE_MIB,
-        )
         keeper = self._take()
+        own: Path | None = None
         try:
+            wall = user = None
+            if self.wall is None:
+                own = self.new_directory("run-")
+            else:
+                wall = self.wall.request(
+                    command.directory, writable=compiling, prefixes=command.prefixes
+                )
+            if os.getuid() == 0 and (wall is not None or self._open_to_all(command)):
+                user = keeper.user
+                for directory in (own, command.directory if compiling else None):
+                    if directory is not None:
+                        os.chown(directory, user, user)
+            home = SCRATCH if own is None else own
+            request = Request(
+                argv=command.argv,
+                env={**command.env, "HOME": str(home), "TMPDIR": str(home)},
+                cwd="/" if own is None else str(own),
+                user=user,
+                wall=wall,
+                stdin=None if stdin is None else str(stdin),
+                stdout=str(stdout),
+                kill_cpu_s=limits.kill_cpu_s,
+                kill_elapsed_s=limits.kill_elapsed_s,
+                memory_mib=limits.memory_mib,
+                output_bytes=limits.output_bytes,
+                processes=limits.processes,
+                file_mib=FILE_MIB,
+            )
             reply = keeper.ask(request)
         except BaseException:
             keeper.end()
             raise
-        else:
-            self._give_back(keeper)
         finally:
             if own is not None:
                 remove(own)
+        if reply.all_ended:
+            self._give_back(keeper)
         if isinstance(reply, Failure):
             raise SandboxError(reply.why)
         return reply
@@ -167,8 +170,6 @@ class Sandbox:
         """Return an empty directory that a compiler behind the wall may write to."""
         directory = self.new_directory("program-")
         directory.chmod(0o755)
-        if os.getuid() == 0:
-            os.chown(directory, NOBODY, NOBODY)
         return directory
 
     def _open_to_all(self, command: Command) -> bool:
@@ -216,7 +217,7 @@ class Sandbox:
                 raise SandboxError(ENDED)
             if self._idle:
                 return self._idle.pop()
-            keeper = Keeper(self.scratch)
+            keeper = Keeper(self.scratch, self._cgroups)
             self._all = [k for k in self._all if k.alive()] + [keeper]
             return keeper
 

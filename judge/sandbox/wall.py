@@ -13,7 +13,6 @@ import platform
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
@@ -21,7 +20,6 @@ from pathlib import Path
 
 from judge.kit.paths import ROOT
 from judge.kit.text import printable_lines
-from judge.sandbox.keeper.clock import Clock
 from judge.sandbox.keeper.protocol import WallRequest
 from judge.sandbox.keeper.wall import open_to_all
 from judge.sandbox.seccomp import filter_program
@@ -67,7 +65,7 @@ class Wall:
             for place, size in scratch.items()
             for word in ("--size", str(size), "--tmpfs", place)
         ]
-        shown = [*map(Path, SYSTEM), *map(Path, prefixes)]
+        hidden = (ROOT, Path.home(), Path(tempfile.gettempdir()), *self.hidden)
         binds = [(prefix, prefix, False) for prefix in prefixes]
         if program is not None:
             binds.append((str(program), str(PROGRAM), writable))
@@ -78,7 +76,7 @@ class Wall:
                 *("--hostname", "wall", "--cap-drop", "ALL"),
                 *("--die-with-parent", "--new-session"),
                 *_system(COMPILER_SETTINGS if writable else RUN_SETTINGS),
-                *_masks(shown, (ROOT, Path.home(), Path(tempfile.gettempdir()), *self.hidden)),
+                *_masks((*SYSTEM, *prefixes), hidden),
                 # Writing there could take over the wall's first process, or lower priorities.
                 *("--proc", "/proc", "--remount-ro", "/proc"),
                 *("--dev", "/dev", *_empty("/dev/pts")),  # reading a terminal would never end
@@ -89,26 +87,29 @@ class Wall:
             ),
             binds=tuple(binds),
             scratch=scratch,
-            seccomp=_seccomp(),
+            seccomp=_seccomp(writable),
         )
 
 
-def _masks(shown: Iterable[Path], hidden: Iterable[Path]) -> Iterator[str]:
-    """Yield the arguments that cover each of `hidden` that lies in a directory of `shown`.
+@cache
+def _masks(shown: tuple[str, ...], hidden: tuple[Path, ...]) -> tuple[str, ...]:
+    """Return the arguments that cover each of `hidden` that lies in a directory of `shown`.
 
     What holds a directory that must be shown is left out: nothing would work without it.
     """
-    places = [place.resolve() for place in shown if place.exists()]
+    places = [Path(place).resolve() for place in shown if Path(place).exists()]
+    args: list[str] = []
     covered: list[Path] = []
     for directory in sorted({path.resolve() for path in hidden}):  # what holds others comes first
-        if any(directory.is_relative_to(other) for other in covered):
-            continue
         inside = any(directory.is_relative_to(place) for place in places)
         needed = any(place.is_relative_to(directory) for place in places)
         # Root's programs run as a user who sees nothing there if this is not open to all.
-        if inside and not needed and (os.getuid() != 0 or open_to_all(f"{directory}/x")):
+        visible = os.getuid() != 0 or open_to_all(f"{directory}/x")
+        if inside and visible and not needed:
+            if not any(directory.is_relative_to(other) for other in covered):
+                args += _empty(str(directory))
             covered.append(directory)
-            yield from _empty(str(directory))
+    return tuple(args)
 
 
 def _empty(place: str) -> tuple[str, ...]:
@@ -141,11 +142,8 @@ def candidates(hidden: tuple[Path, ...] = ()) -> list[Wall]:
 
 
 @cache
-def _seccomp() -> str:
-    clock = Clock(os.getpid())
-    counted = clock.granted
-    clock.close()
-    return filter_program(platform.machine(), counted=counted).hex()
+def _seccomp(compiling: bool) -> str:
+    return filter_program(platform.machine(), compiling=compiling).hex()
 
 
 @cache

@@ -43,9 +43,9 @@ class Cgroup:
         self._cpu_began_s = self._kills_began = 0.0
 
     @property
-    def holds_memory(self) -> bool:
-        """Whether the kernel limits the memory."""
-        return "memory" in self._of
+    def counts_cpu(self) -> bool:
+        """Whether `cpu_s` counts."""
+        return "cpu" in self._of
 
     def begin(self, memory_mib: int, processes: int) -> None:
         """Set the limits of the next program, and count from now on."""
@@ -64,7 +64,7 @@ class Cgroup:
         self._kills_began = self._kills()
 
     def cpu_s(self) -> float:
-        """Return the CPU seconds used since `begin`, the keeper's own included; 0 without a count."""
+        """Return the CPU seconds used since `begin`, the keeper's own included, if they count."""
         return self._cpu_s() - self._cpu_began_s
 
     def memory_mib(self) -> float | None:

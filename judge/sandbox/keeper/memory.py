@@ -46,9 +46,11 @@ class Memory:
         most_mib = sum(p.resident_mib - self._shared_mib.get(p.identity, 0.0) for p in own)
         if most_mib + held_mib <= limit_mib:
             self._measured.clear()
-            return most_mib + held_mib if len(own) == 1 else max(
-                (p.resident_mib for p in own), default=0.0
-            ) + held_mib
+            return (
+                most_mib + held_mib
+                if len(own) == 1
+                else max((p.resident_mib for p in own), default=0.0) + held_mib
+            )
         give_up = time.monotonic() + EXACT_AT_MOST_S
         for process in own:
             if process.identity not in self._measured and time.monotonic() < give_up:

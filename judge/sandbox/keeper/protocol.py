@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from enum import StrEnum
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 
 class Stop(StrEnum):
@@ -37,32 +37,20 @@ class WallRequest(NamedTuple):
     seccomp: str
 
 
-class CgroupRequest(NamedTuple):
-    """Where a control group can be made.
-
-    place: the beginning of its path. limits: whether controllers can limit memory or
-    processes there.
-    """
-
-    place: str
-    limits: bool
-
-
 class Request(NamedTuple):
     """One run of one program.
 
-    cwd: the directory it starts in, as the program sees it. drop: whether to change from root
-    to an unprivileged user; a wall always does. stdin: a file to feed through a pipe; None:
-    empty input. stdout: a file to write. The rest are limits; file_mib: the size of any file
-    that the program writes.
+    cwd: where it starts, as the program sees it. user: whom root becomes to run it, None to
+    stay. stdin: a file that is fed through a pipe, None for an empty one; stdout: a file to
+    write. The rest are the limits at which the program is ended; file_mib: of the largest file
+    that it may write.
     """
 
     argv: tuple[str, ...]
     env: dict[str, str]
     cwd: str
-    drop: bool
+    user: int | None
     wall: WallRequest | None
-    cgroup: CgroupRequest | None
     stdin: str | None
     stdout: str
     kill_cpu_s: float
@@ -81,7 +69,8 @@ class Facts(NamedTuple):
     to end; memory_mib: the largest sum of resident memory seen over the tree;
     output_bytes: what it wrote to standard output and standard error;
     stopped: the limit for which it was stopped, None if it ended by itself;
-    stderr: the first few KiB of standard error.
+    stderr: the first few KiB of standard error; all_ended: no process of it is left. One
+    that dies slowly has no more say, but the keeper that waited for it takes no more requests.
     """
 
     exit_status: int | None
@@ -92,12 +81,14 @@ class Facts(NamedTuple):
     output_bytes: int
     stopped: Stop | None
     stderr: bytes = b""
+    all_ended: bool = True
 
 
 class Failure(NamedTuple):
-    """Why a run could not be made; the program is not to blame."""
+    """Why a run could not be made; the program is not to blame. all_ended: as of `Facts`."""
 
     why: str
+    all_ended: bool = True
 
 
 def encode_request(request: Request) -> bytes:
@@ -108,19 +99,14 @@ def encode_request(request: Request) -> bytes:
 def decode_request(line: bytes) -> Request:
     """Return what `encode_request` was given."""
     request = Request(*json.loads(line))
-    wall, cgroup = request.wall, request.cgroup
-    return request._replace(
-        wall=None if wall is None else WallRequest(*wall),
-        cgroup=None if cgroup is None else CgroupRequest(*cgroup),
-    )
+    wall = request.wall
+    return request._replace(wall=None if wall is None else WallRequest(*wall))
 
 
 def encode_reply(reply: Facts | Failure | None) -> bytes:
     """Return the reply as one line. None: ready, the keeper's first reply."""
-    content: list[Any] = [] if reply is None else list(reply)
-    if isinstance(reply, Facts):
-        content[-1] = reply.stderr.decode("latin-1")  # each byte becomes one character
-    return json.dumps(content).encode() + b"\n"
+    content = [] if reply is None else list(reply)
+    return json.dumps(content, default=_characters).encode() + b"\n"
 
 
 def decode_reply(line: bytes) -> Facts | Failure | None:
@@ -128,10 +114,14 @@ def decode_reply(line: bytes) -> Facts | Failure | None:
     content = json.loads(line)
     if not content:
         return None
-    if len(content) == 1:
+    if len(content) == len(Failure._fields):
         return Failure(*content)
-    reply = Facts(*content)
-    return reply._replace(
-        stopped=None if reply.stopped is None else Stop(reply.stopped),
-        stderr=content[-1].encode("latin-1"),
+    stopped, stderr, _ = content[-3:]
+    return Facts(*content)._replace(
+        stopped=None if stopped is None else Stop(stopped), stderr=stderr.encode("latin-1")
     )
+
+
+def _characters(data: bytes) -> str:
+    """Return bytes as text: each one becomes one character."""
+    return data.decode("latin-1")

@@ -9,12 +9,14 @@ ready, or why the scratch directory cannot be made.
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 import signal
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+from judge.sandbox.keeper.cgroup import Cgroup
 from judge.sandbox.keeper.launch import LaunchError
 from judge.sandbox.keeper.libc import LIBC
 from judge.sandbox.keeper.protocol import (
@@ -24,9 +26,10 @@ from judge.sandbox.keeper.protocol import (
     decode_request,
     encode_reply,
 )
-from judge.sandbox.keeper.watch import CONTROL, JudgeGoneError, run
+from judge.sandbox.keeper.watch import CONTROL, JudgeGoneError, LeftError, run
 
 PR_SET_CHILD_SUBREAPER = 36
+HIGHEST_PRIORITY, NEVER_TO_BE_KILLED = "-20", "-1000"
 BLOCK_BYTES = 1 << 16
 
 
@@ -40,22 +43,20 @@ def requests() -> Iterator[Request]:
             yield decode_request(line)
 
 
-def answer(request: Request) -> None:
-    """Reply to one request with the facts, or with a Failure. Raises TimeoutError, see `run`."""
+def answer(request: Request, cgroup: Cgroup) -> bool:
+    """Reply to one request with the facts, or with a Failure; return whether to go on.
+
+    A keeper with processes left would count them as the next program's.
+    """
     reply: Facts | Failure
-    failed = None
     try:
-        reply = run(request)
-    except LaunchError as error:
-        reply = Failure(str(error))
-    except TimeoutError as error:
-        failed = error
-        reply = Failure(str(error))
+        reply = run(request, cgroup)
+    except (LaunchError, LeftError) as error:
+        reply = Failure(str(error), all_ended=isinstance(error, LaunchError))
     except OSError as error:
         reply = Failure(f"{error.filename or request.stdout}: {error.strerror}")
     os.write(1, encode_reply(reply))
-    if failed is not None:
-        raise failed  # the processes that are left would count as the next program's
+    return reply.all_ended
 
 
 def make(scratch: str) -> str | None:
@@ -74,22 +75,25 @@ def main() -> None:
     """Serve the judge until it is gone."""
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)  # only the end of standard input ends the keeper
-    signal.signal(
-        signal.SIGCHLD, signal.SIG_DFL
-    )  # with SIGCHLD ignored, no child could be waited for
+    signal.signal(signal.SIGCHLD, signal.SIG_DFL)  # ignored, it would leave no child to wait for
     LIBC.prctl(PR_SET_CHILD_SUBREAPER, 1)
-    # A fork bomb would starve a keeper of ordinary priority. Only root may raise it; programs
-    # of other users are limited by RLIMIT_NPROC, which does not bind root.
-    with contextlib.suppress(PermissionError):
-        os.sched_setscheduler(0, os.SCHED_RR | os.SCHED_RESET_ON_FORK, os.sched_param(1))
+    # A fork bomb would starve a keeper of ordinary priority, and memory may run out. Only root
+    # may prevent that; what it runs gets a session of its own, and ordinary values again.
+    for file, value in (("autogroup", HIGHEST_PRIORITY), ("oom_score_adj", NEVER_TO_BE_KILLED)):
+        with contextlib.suppress(OSError):
+            Path("/proc/self", file).write_text(value)
     scratch = sys.argv[2]
+    version, places = json.loads(sys.argv[3])
+    cgroup = Cgroup(places, version)
+    failed = make(scratch)
+    os.write(1, encode_reply(None if failed is None else Failure(failed)))
     try:
-        failed = make(scratch)
-        os.write(1, encode_reply(None if failed is None else Failure(failed)))
         for request in requests():
-            answer(request)
-    except (JudgeGoneError, BrokenPipeError, TimeoutError):
+            if not answer(request, cgroup):
+                return  # the judge goes on with another keeper, and the scratch directory stays
+    except (JudgeGoneError, BrokenPipeError):
         pass
+    cgroup.close()
     # Imported here, because an earlier import would raise the smallest measurable peak memory.
     from judge.sandbox.keeper.remove import remove
 

@@ -10,29 +10,27 @@ import time
 from collections.abc import Mapping
 
 from judge.sandbox.keeper.cgroup import Cgroup
-from judge.sandbox.keeper.clock import Clock
 from judge.sandbox.keeper.memory import Memory
 from judge.sandbox.keeper.proc import children, descendants, look_at, read
 
 REAP_TIMEOUT_S = 10.0
-ORDERLY_END_S = 0.003  # processes left after that do not end by themselves
+ORDERLY_END_S = 0.003  # after this time, every process is killed individually
 
 
 class Tree:
-    """All processes below the keeper, which belong to the one program it runs.
+    """All processes below the keeper, which are those of the one program it runs.
 
-    cpu_s: the largest of four counts. The kernel's accounting (of reaped processes, and of
-    live ones with their reaped children) misses children that were reaped automatically. The
-    sum over all processes at their last sample misses what happened later. The clock and the
-    control group miss nothing, but they do not exist on every machine.
+    cpu_s: the largest of three counts. The kernel's accounting (of reaped processes, and of live
+    ones with their reaped children) misses children that were reaped automatically. The sum over
+    all processes at their last sample misses what was used after that sample. A control group
+    misses nothing, where it counts; then no process is sampled.
 
     scratch: see `memory.Memory`.
     """
 
-    def __init__(self, scratch: Mapping[str, int]) -> None:
+    def __init__(self, scratch: Mapping[str, int], cgroup: Cgroup) -> None:
         self._memory = Memory(scratch)
-        self.clock: Clock | None = None
-        self.cgroup: Cgroup | None = None
+        self._cgroup = cgroup
         self.cpu_s = 0.0
         self.memory_mib = 0.0
         self.processes = 0
@@ -43,46 +41,59 @@ class Tree:
         self._seen_s: dict[tuple[int, str], float] = {}
 
     def sample(self, memory_limit_mib: float) -> None:
-        """Sample every live process once."""
-        live = [process for process in map(look_at, descendants()) if process is not None]
-        accounted_s = self._reaped_s + sum(process.own_s + process.waited_s for process in live)
-        self._seen_s.update({process.identity: process.own_s for process in live})
-        self.processes = len(live)
-        self.memory_mib = max(self.memory_mib, self._memory.used_mib(live, memory_limit_mib))
-        self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()), self._counted_s())
+        """Sample what lives now: the control group if it tells everything, else each process."""
+        pids = self.pids()
+        self.processes = len(pids)
+        memory_mib = self._cgroup.memory_mib()
+        if memory_mib is None or not self._cgroup.counts_cpu:
+            live = [process for process in map(look_at, pids) if process is not None]
+            accounted_s = self._reaped_s + sum(each.own_s + each.waited_s for each in live)
+            self._seen_s.update({process.identity: process.own_s for process in live})
+            self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()))
+            if memory_mib is None:
+                memory_mib = self._memory.used_mib(live, memory_limit_mib)
+        self.memory_mib = max(self.memory_mib, memory_mib)
+        self.cpu_s = max(self.cpu_s, self._counted_s())
+
+    def pids(self) -> list[int]:
+        """Return all processes, parents first where no control group lists them."""
+        listed = self._cgroup.processes()
+        return descendants() if listed is None else listed
 
     def starved_s(self) -> float:
-        """Return for how many seconds a live process waited for a processor; of all, the longest.
+        """Return how long a live process was ready to run while others had the processors.
 
-        The keeper's own CPU time is subtracted, because the program caused that work.
+        The keeper's own time is left out: the program caused that work.
         """
-        stats = [read(f"/proc/{pid}/schedstat").split() for pid in descendants()]
+        stats = [read(f"/proc/{pid}/schedstat").split() for pid in self.pids()]
         ready_s = max((int(stat[1]) / 1e9 for stat in stats if stat), default=0.0)
-        return ready_s - (time.process_time() - self._own_began_s)
+        return ready_s - self._own_s()
 
-    def end(self) -> None:
-        """Kill and reap everything; when it returns, no child is left. Raises TimeoutError."""
+    def end(self) -> bool:
+        """Kill and reap everything; return whether no process is left, as some die slowly."""
         began = time.monotonic()
-        if self.cgroup is not None:
-            self.cgroup.kill()
         while self._reap():
             waited_s = time.monotonic() - began
             if waited_s > REAP_TIMEOUT_S:
-                raise TimeoutError("processes of the program cannot be killed")
+                break
             if waited_s > ORDERLY_END_S:
                 # Stop them first: a stopped process cannot fork while the others are signalled.
-                signal_all(descendants(), signal.SIGSTOP)
-                signal_all(descendants(), signal.SIGKILL)
+                signal_all(self.pids(), signal.SIGSTOP)
+                signal_all(self.pids(), signal.SIGKILL)
             else:
                 # Behind a wall this ends everything in two steps: bubblewrap's outer process,
                 # then the first process of the namespace, and the kernel ends the rest.
                 signal_all(children(os.getpid()), signal.SIGKILL)
-            time.sleep(0.0002)
+            time.sleep(min(0.0002 + waited_s / 50, 0.02))
         self.cpu_s = max(self.cpu_s, self._reaped_s, self._counted_s())
+        return not self._reap()
 
     def _counted_s(self) -> float:
-        counters = [counter for counter in (self.clock, self.cgroup) if counter is not None]
-        return max((counter.cpu_s() for counter in counters), default=0.0)
+        """Return what the control group counted, without the keeper itself, which is in it."""
+        return self._cgroup.cpu_s() - self._own_s() if self._cgroup.counts_cpu else 0.0
+
+    def _own_s(self) -> float:
+        return time.process_time() - self._own_began_s
 
     def _reap(self) -> bool:
         """Reap what has ended; return whether anything still lives."""

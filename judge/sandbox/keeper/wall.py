@@ -14,7 +14,6 @@ from pathlib import Path
 from judge.sandbox.keeper.libc import LIBC
 from judge.sandbox.keeper.protocol import WallRequest
 
-NOBODY = 65534
 CLONE_NEWNS = 0x20000
 MS_BIND, MS_REC, MS_PRIVATE, MS_NOSUID, MS_NODEV = 0x1000, 0x4000, 0x40000, 2, 4
 STAGE = "/tmp"  # every system has it; a private mount covers it
@@ -25,14 +24,16 @@ STARTED = 9  # dash knows only descriptors of one digit
 INNER = 'echo >&9; exec 9>&-; ulimit -u "$0" 2>/dev/null || ulimit -p "$0"; exec "$@"'
 
 
-def walled(wall: WallRequest, argv: list[str], processes: int) -> tuple[str, list[str]]:
+def walled(
+    wall: WallRequest, argv: list[str], processes: int, user: int | None
+) -> tuple[str, list[str]]:
     """Prepare the wall in this process; return the path of bubblewrap and its arguments.
 
     Raises OSError.
     """
     bwrap = wall.bwrap
     sources = [source for source, _, _ in wall.binds]
-    if os.getuid() == 0:
+    if user is not None:
         # A packaged bwrap loads a library that lies beside its package: it needs both.
         packages = Path(bwrap).parents[2]
         own = [] if packages == Path("/") else [str(packages)]
@@ -41,7 +42,7 @@ def walled(wall: WallRequest, argv: list[str], processes: int) -> tuple[str, lis
             sources = staged[: len(sources)]
             if own:
                 bwrap = f"{staged[-1]}/{Path(bwrap).relative_to(packages)}"
-        drop()
+        become_user(user)
     args = list(wall.args)
     for source, (_, destination, writable) in zip(sources, wall.binds, strict=True):
         args += ["--bind" if writable else "--ro-bind", source, destination]
@@ -53,11 +54,11 @@ def walled(wall: WallRequest, argv: list[str], processes: int) -> tuple[str, lis
     return bwrap, ["bwrap", "--args", str(told), "--", *inner]
 
 
-def drop() -> None:
+def become_user(user: int) -> None:
     """Change from root to a user who owns nothing."""
     os.setgroups([])
-    os.setresgid(NOBODY, NOBODY, NOBODY)
-    os.setresuid(NOBODY, NOBODY, NOBODY)
+    os.setresgid(user, user, user)
+    os.setresuid(user, user, user)
 
 
 def open_to_all(path: str) -> bool:

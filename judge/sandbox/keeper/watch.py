@@ -7,7 +7,7 @@ import select
 import time
 from pathlib import Path
 
-from judge.sandbox.keeper.cgroup import SLACK_MIB
+from judge.sandbox.keeper.cgroup import SLACK_MIB, Cgroup
 from judge.sandbox.keeper.launch import LaunchError, launch
 from judge.sandbox.keeper.pipes import Feeder, Sink
 from judge.sandbox.keeper.protocol import Facts, Request, Stop
@@ -17,34 +17,42 @@ CONTROL = 0
 FIRST_SAMPLE_S, SAMPLE_S = 0.005, 0.02  # early samples, for short runs
 SAMPLE_GROWTH = 0.4
 STARVED_AT_MOST_S = 60.0
+WALL_PROCESSES = 3  # bubblewrap, the first process inside, the shell that starts the program
+SAMPLES_SHARE = 0.1  # of the time goes into samples, however many processes there are
 
 
 class JudgeGoneError(Exception):
     """The judge closed its end: nobody waits for an answer."""
 
 
-def run(request: Request) -> Facts:
+class LeftError(Exception):
+    """The program itself has not ended, though it was killed."""
+
+    def __init__(self) -> None:
+        super().__init__("the program cannot be killed")
+
+
+def run(request: Request, cgroup: Cgroup) -> Facts:
     """Run one program to its end and return the facts.
 
-    Raises LaunchError, JudgeGoneError, TimeoutError; only the last leaves processes behind.
+    Raises LaunchError, JudgeGoneError, LeftError. After the last, or if not `all_ended`, processes
+    may be left that are still dying.
     """
-    tree = Tree(request.wall.scratch if request.wall else {})
+    tree = Tree(request.wall.scratch if request.wall else {}, cgroup)
+    cgroup.begin(request.memory_mib, request.processes + WALL_PROCESSES)
     source_path, out_path = Path(request.stdin or os.devnull), Path(request.stdout)
     with source_path.open("rb") as source, out_path.open("wb") as out:
         started = time.monotonic()
         launched = launch(request)
-        pid, tree.clock, tree.cgroup = launched.pid, launched.clock, launched.cgroup
+        pid = launched.pid
         feeder = Feeder(source.fileno(), launched.stdin)
         sink = Sink(launched.stdout, launched.stderr, out.fileno(), request.output_bytes)
         try:
             stopped = watch(pid, feeder, sink, tree, started, request)
         finally:
-            tree.end()
-            launched.clock.close()
-            out_of_memory = launched.cgroup.out_of_memory
-            launched.cgroup.close()
+            all_ended = tree.end()
             feeder.close()
-        if stopped is None and out_of_memory:
+        if stopped is None and cgroup.out_of_memory:
             stopped = Stop.MEMORY
             tree.memory_mib = max(tree.memory_mib, request.memory_mib + SLACK_MIB)
         elapsed_s = time.monotonic() - started
@@ -53,6 +61,8 @@ def run(request: Request) -> Facts:
     os.close(launched.wall_stands)
     if not wall_stands:
         raise LaunchError(f"the wall cannot be built: {sink.stderr.decode('latin-1').strip()}")
+    if pid not in tree.status:
+        raise LeftError
     status = tree.status[pid]
     if request.wall and stopped is None and os.WIFSIGNALED(status):
         # This is bubblewrap's own process, which the program cannot reach.
@@ -66,6 +76,7 @@ def run(request: Request) -> Facts:
         output_bytes=sink.written,
         stopped=stopped,
         stderr=sink.stderr,
+        all_ended=all_ended,
     )
 
 
@@ -98,8 +109,9 @@ def watch(
             if now < next_sample:
                 continue
             growing_s = max(FIRST_SAMPLE_S, SAMPLE_GROWTH * (now - started))
-            next_sample = now + min(growing_s, SAMPLE_S)
             tree.sample(request.memory_mib)
+            slow_s = (time.monotonic() - now) / SAMPLES_SHARE
+            next_sample = now + max(slow_s, min(growing_s, SAMPLE_S))
             if tree.memory_mib > request.memory_mib:
                 return Stop.MEMORY
             if tree.processes > request.processes:
