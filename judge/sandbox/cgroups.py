@@ -29,13 +29,15 @@ class Cgroups:
     If this process is the only one in its own, which then was made for it, it moves into one
     below, LEAF, and back on close. Otherwise the new ones only count CPU time.
 
-    process: this process's directory in /proc.
+    process: this process's directory in /proc; None: make none.
     """
 
-    def __init__(self, process: Path = Path("/proc/self")) -> None:
+    def __init__(self, process: Path | None = Path("/proc/self")) -> None:
         self._moved = False
         self.version = 2
         self.places: dict[str, Path] = {}
+        if process is None:
+            return
         own = _own(process)
         below = own.get("")
         if below is not None:
@@ -52,7 +54,12 @@ class Cgroups:
                 self.version, self.places = 1, usable
 
     @property
-    def holds_memory(self) -> bool:
+    def count_cpu(self) -> bool:
+        """Whether they count CPU time."""
+        return "cpu" in self.places
+
+    @property
+    def hold_memory(self) -> bool:
         """Whether the kernel limits the memory of programs."""
         return "memory" in self.places
 

@@ -52,9 +52,11 @@ class Sandbox:
     reason. Raises SandboxError if they cannot make it.
     """
 
-    def __init__(self, wall: Wall | None = None, keepers: int = 1) -> None:
+    def __init__(
+        self, wall: Wall | None = None, keepers: int = 1, cgroups: Cgroups | None = None
+    ) -> None:
         self.wall = wall
-        self._cgroups = Cgroups()
+        self._cgroups = cgroups or Cgroups()
         name = f"collision-course-{secrets.token_hex(8)}"
         self.scratch = Path(tempfile.gettempdir()).resolve() / name
         self._lock = threading.Lock()
@@ -126,7 +128,10 @@ class Sandbox:
                 own = self.new_directory("run-")
             else:
                 wall = self.wall.request(
-                    command.directory, writable=compiling, prefixes=command.prefixes
+                    command.directory,
+                    writable=compiling,
+                    prefixes=command.prefixes,
+                    counted=self._cgroups.count_cpu,
                 )
             if os.getuid() == 0 and (wall is not None or self._open_to_all(command)):
                 user = keeper.user

@@ -5,8 +5,8 @@ namespaces, tracing others, kernel keys, BPF, io_uring, memory that no process s
 sockets, the kernel's log, and typing into the terminal. Refused calls fail with EPERM. Calls
 whose arguments the filter cannot see fail with ENOSYS, so that libraries use older calls.
 
-Children of a process that ignores SIGCHLD are not charged to it, so no program may ignore it:
-the call seems to succeed. Programs, but not compilers, are refused locks.
+Children of a process that ignores SIGCHLD are not charged to it. Unless a control group counts
+CPU time, no program may ignore it: the call seems to succeed. Only compilers may lock files.
 Source: Linux, Documentation/userspace-api/seccomp_filter.rst; linux/filter.h.
 """
 
@@ -99,10 +99,11 @@ ALLOW: Instruction = (RETURN, 0, 0, 0x7FFF0000)
 KILL: Instruction = (RETURN, 0, 0, 0x80000000)
 
 
-def filter_program(machine: str, *, compiling: bool = False) -> bytes:
+def filter_program(machine: str, *, compiling: bool = False, counted: bool = False) -> bytes:
     """Return the filter for a machine (`x86_64`, `aarch64`). Raises KeyError for another.
 
-    compiling: for a compiler, which may lock files.
+    compiling: for a compiler, which may lock files. counted: a control group counts the CPU time
+    of every process.
     """
     column = list(AUDIT_ARCH).index(machine) if machine in AUDIT_ARCH else None
     if column is None:
@@ -127,9 +128,10 @@ def filter_program(machine: str, *, compiling: bool = False) -> bytes:
     typing = (JUMP_EQ, 1, 0, TIOCSTI), (JUMP_EQ, 0, 1, TIOCLINUX)
     on(IOCTL, _load(1), *typing, _fail(errno.EPERM), ALLOW)
     on(PRCTL, *_unless(0, *PRCTL_REFUSED))
-    # The second argument is the address of the new action; 0 only asks for the old one.
-    anything = _load(1), (JUMP_EQ, 0, 3, 0), _load(1, HIGH), (JUMP_EQ, 0, 1, 0)
-    on(SIGACTION, _load(0), (JUMP_EQ, 0, 4, SIGCHLD), *anything, ALLOW, _fail(0))
+    if not counted:
+        # The second argument is the address of the new action; 0 only asks for the old one.
+        anything = _load(1), (JUMP_EQ, 0, 3, 0), _load(1, HIGH), (JUMP_EQ, 0, 1, 0)
+        on(SIGACTION, _load(0), (JUMP_EQ, 0, 4, SIGCHLD), *anything, ALLOW, _fail(0))
     if not compiling:
         on(FLOCK, _fail(errno.EPERM))
         on(FCNTL, *_unless(1, *FCNTL_REFUSED))

@@ -51,12 +51,13 @@ class Wall:
         return f"{_version(self.bwrap)} with seccomp"
 
     def request(
-        self, program: Path | None, *, writable: bool, prefixes: tuple[str, ...]
+        self, program: Path | None, *, writable: bool, prefixes: tuple[str, ...], counted: bool
     ) -> WallRequest:
         """Return what the keeper needs to build the wall.
 
         program: the directory to show at PROGRAM; None: no directory. writable: whether a
         compiler may write there. prefixes: directories outside the system that hold its tools.
+        counted: a control group counts the CPU time of every process.
         """
         scratch_mib = COMPILER_SCRATCH_MIB if writable else RUN_SCRATCH_MIB
         scratch = {"/dev/shm": SHARED_MEMORY_MIB << 20, str(SCRATCH): scratch_mib << 20}
@@ -87,7 +88,7 @@ class Wall:
             ),
             binds=tuple(binds),
             scratch=scratch,
-            seccomp=_seccomp(writable),
+            seccomp=_seccomp(writable, counted),
         )
 
 
@@ -142,8 +143,8 @@ def candidates(hidden: tuple[Path, ...] = ()) -> list[Wall]:
 
 
 @cache
-def _seccomp(compiling: bool) -> str:
-    return filter_program(platform.machine(), compiling=compiling).hex()
+def _seccomp(compiling: bool, counted: bool) -> str:
+    return filter_program(platform.machine(), compiling=compiling, counted=counted).hex()
 
 
 @cache

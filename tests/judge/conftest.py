@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from judge.kit.paths import ROOT
+from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import Facts, RunLimits
 from judge.sandbox.probe import probe
 from judge.sandbox.sandbox import Command, Sandbox
@@ -91,6 +92,16 @@ def walled_sandbox() -> Iterator[Sandbox]:
         yield box
 
 
+@pytest.fixture(scope="session")
+def uncounted_sandbox() -> Iterator[Sandbox]:
+    """With a wall, and without control groups, as where a user may make none."""
+    found = probe()
+    if found.wall is None:
+        pytest.skip(f"no wall works on this machine: {found.why}")
+    with Sandbox(found.wall, cgroups=Cgroups(None)) as box:
+        yield box
+
+
 def python_runner(sandbox: Sandbox, out: Path) -> RunPython:
     """Return a function that runs Python code in the sandbox; its output lands in `out`."""
 
@@ -109,7 +120,7 @@ def python_runner(sandbox: Sandbox, out: Path) -> RunPython:
     return run
 
 
-@pytest.fixture(params=["sandbox", "walled_sandbox"])
+@pytest.fixture(params=["sandbox", "walled_sandbox", "uncounted_sandbox"])
 def run_python(request: pytest.FixtureRequest, tmp_path: Path) -> RunPython:
     """Run Python code; every test runs twice, with the keeper alone and behind the wall."""
     return python_runner(request.getfixturevalue(request.param), tmp_path / "out")

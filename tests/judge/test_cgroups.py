@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
-from threading import Thread
-from types import SimpleNamespace
 
 import pytest
 
@@ -18,14 +14,12 @@ from judge.kit.paths import ROOT
 from judge.sandbox.cgroups import LEAF, Cgroups
 from judge.sandbox.facts import Facts, RunLimits, Stop
 from judge.sandbox.keeper.cgroup import SLACK_MIB, Cgroup
-from judge.sandbox.keeper.launch import place_of_cgroup
-from judge.sandbox.keeper.protocol import CgroupRequest, Request, decode_reply, encode_request
+from judge.sandbox.keeper.protocol import Request, decode_reply, encode_request
 from judge.sandbox.probe import probe
 from judge.sandbox.sandbox import Command, Sandbox
 
 MOUNT = "41 31 0:38 {root} {place} rw,relatime - cgroup2 cgroup2 rw\n"
 OTHER = "40 31 0:37 / /sys/fs/cgroup/cpu rw,relatime - cgroup cgroup rw,cpu\n"
-CONTROLS = ("memory.max", "memory.swap.max", "memory.oom.group", "pids.max", "cgroup.procs")
 
 
 @pytest.fixture
@@ -50,7 +44,7 @@ def fake(tmp_path: Path):
 def test_a_process_finds_its_own_control_group(fake) -> None:
     process, own = fake()
     groups = Cgroups(process)
-    assert groups.directory == own
+    assert set(groups.places.values()) == {own}
     assert (own / "cgroup.subtree_control").read_text() == "+memory +pids"
     groups.close("none")
     assert [path.name for path in own.iterdir() if path.is_dir()] == []
@@ -58,7 +52,7 @@ def test_a_process_finds_its_own_control_group(fake) -> None:
 
 def test_in_a_container_only_a_part_of_the_hierarchy_is_mounted(fake) -> None:
     process, own = fake(group="/machine/a/b", root="/machine/a")
-    assert Cgroups(process).directory == own
+    assert set(Cgroups(process).places.values()) == {own}
     assert own.name == "b"
 
 
@@ -66,9 +60,9 @@ def test_in_a_container_only_a_part_of_the_hierarchy_is_mounted(fake) -> None:
 def test_without_cgroup_v2_there_is_no_control_group(fake, missing: str) -> None:
     process, _ = fake()
     (process / missing).write_text("")
-    assert Cgroups(process).directory is None
+    assert Cgroups(process).places == {}
     (process / missing).unlink()
-    assert Cgroups(process).directory is None
+    assert Cgroups(process).places == {}
 
 
 def test_where_no_control_group_can_be_made_nothing_changes(fake, monkeypatch) -> None:
@@ -78,7 +72,7 @@ def test_where_no_control_group_can_be_made_nothing_changes(fake, monkeypatch) -
         raise PermissionError
 
     monkeypatch.setattr(Path, "mkdir", refuse)
-    assert Cgroups(process).directory is None
+    assert Cgroups(process).places == {}
     assert (own / "cgroup.subtree_control").read_text() == ""
 
 
@@ -106,33 +100,94 @@ def test_a_process_alone_in_its_control_group_moves_below_and_back(fake, monkeyp
     ]
 
 
-def test_a_program_is_put_in_a_control_group_with_its_limits(tmp_path: Path, monkeypatch) -> None:
+OLD = "40 31 0:{n} / {place}/{name} rw,relatime - cgroup cgroup rw,{name}\n"
+
+
+def test_version_1_has_a_place_for_each_controller(tmp_path: Path) -> None:
+    process = tmp_path / "self"
+    process.mkdir()
+    names = ("memory", "pids", "cpuacct", "devices")
+    mounts = "".join(OLD.format(n=n, place=tmp_path, name=name) for n, name in enumerate(names))
+    unified = MOUNT.format(root="/", place=tmp_path / "unified")  # without controllers
+    (process / "mountinfo").write_text(mounts + unified)
+    (process / "cgroup").write_text("".join(f"{n}:{name}:/a\n" for n, name in enumerate(names)))
+    for name in (*names, "unified"):
+        (tmp_path / name / "a").mkdir(parents=True)
+        (tmp_path / name / "a" / "cgroup.procs").touch()
+    groups = Cgroups(process)
+    assert groups.version == 1
+    assert groups.places == {
+        "memory": tmp_path / "memory" / "a",
+        "pids": tmp_path / "pids" / "a",
+        "cpu": tmp_path / "cpuacct" / "a",
+    }
+    assert (groups.hold_memory, groups.count_cpu) == (True, True)
+
+
+FILES = {
+    2: {
+        "memory.max": "max",
+        "memory.swap.max": "max",
+        "memory.current": f"{30 << 20}",
+        "memory.stat": f"anon 1\nfile {20 << 20}\nshmem {5 << 20}\n",
+        "memory.events": "max 9\noom 1\noom_kill 3\n",
+        "pids.max": "max",
+        "cpu.stat": "usage_usec 1500000\nuser_usec 1\n",
+    },
+    1: {
+        "memory.limit_in_bytes": "9",
+        "memory.memsw.limit_in_bytes": "9",
+        "memory.usage_in_bytes": f"{30 << 20}",
+        "memory.stat": f"cache 1\ntotal_cache {20 << 20}\ntotal_shmem {5 << 20}\n",
+        "memory.oom_control": "oom_kill_disable 0\nunder_oom 0\noom_kill 3\n",
+        "pids.max": "max",
+        "cpuacct.usage": "1500000000\n",
+    },
+}
+
+
+@pytest.mark.parametrize("version", FILES)
+def test_what_a_keeper_reads_and_writes(tmp_path: Path, monkeypatch, version: int) -> None:
     mkdir = Path.mkdir
 
-    def kernel_mkdir(path: Path) -> None:
-        mkdir(path)
-        for name in CONTROLS:
-            (path / name).touch()
+    def kernel_mkdir(path: Path, **options: bool) -> None:
+        mkdir(path, **options)
+        for name, text in {**FILES[version], "cgroup.procs": f"{os.getpid()}\n7\n8\n"}.items():
+            if not (path / name).exists():
+                (path / name).write_text(text)
 
     monkeypatch.setattr(Path, "mkdir", kernel_mkdir)
-    group = Cgroup(f"{tmp_path}/g", 17, memory_mib=100, processes=9)
-    wrote = [(tmp_path / "g" / name).read_text() for name in CONTROLS]
-    assert wrote == [str(116 << 20), "0", "1", "9", "17"]
-    assert (group.cpu_s(), group.out_of_memory) == (0.0, False)
-    (tmp_path / "g/cpu.stat").write_text("usage_usec 1500000\nuser_usec 1\n")
-    (tmp_path / "g/memory.events").write_text("max 9\noom 1\noom_kill 0\n")
-    assert (group.cpu_s(), group.out_of_memory) == (1.5, False)
-    (tmp_path / "g/memory.events").write_text("max 9\noom 1\noom_kill 2\n")
-    assert group.out_of_memory
+    own = tmp_path / f"g-{os.getpid()}"
+    cgroup = Cgroup(dict.fromkeys(("memory", "pids", "cpu"), f"{tmp_path}/g"), version)
+    assert (own / "cgroup.procs").read_text().startswith(str(os.getpid()))
+    (own / "cgroup.procs").write_text(f"{os.getpid()}\n7\n8\n")
+    cgroup.begin(memory_mib=100, processes=9)
+    most = str((100 + 15 + int(SLACK_MIB)) << 20)  # 15 MiB are the keeper's own
+    wrote = {name: (own / name).read_text()[: len(most)] for name in FILES[version]}
+    if version == 2:
+        assert (wrote["memory.max"], wrote["memory.swap.max"][0]) == (most, "0")
+    else:
+        limits = wrote["memory.limit_in_bytes"], wrote["memory.memsw.limit_in_bytes"]
+        assert limits == (most, most)
+    assert wrote["pids.max"].startswith("10")
+    assert (cgroup.cpu_s(), cgroup.memory_mib(), cgroup.out_of_memory) == (0.0, 0.0, False)
+    assert cgroup.processes() == [7, 8]
+    used = "memory.current" if version == 2 else "memory.usage_in_bytes"
+    (own / used).write_text(str(50 << 20))
+    assert cgroup.memory_mib() == 20.0
+    kills = "memory.events" if version == 2 else "memory.oom_control"
+    (own / kills).write_text("oom_kill 4\n")
+    assert cgroup.out_of_memory
 
 
-def test_a_control_group_that_is_refused_leaves_nothing(tmp_path: Path) -> None:
-    # The kernel did not make this directory, so it has no cgroup.procs to write to.
-    group = Cgroup(f"{tmp_path}/g", 17, memory_mib=100, processes=9)
+def test_without_control_groups_nothing_is_counted(tmp_path: Path) -> None:
+    # No kernel made the directory of the second one, so it has no cgroup.procs.
+    for cgroup in (Cgroup({}, 2), Cgroup({"memory": f"{tmp_path}/g"}, 1)):
+        cgroup.begin(100, 9)
+        assert (cgroup.memory_mib(), cgroup.processes(), cgroup.counts_cpu) == (None, None, False)
+        assert not cgroup.out_of_memory
+        cgroup.close()
     assert list(tmp_path.iterdir()) == []
-    group.kill()
-    group.close()
-    assert (group.cpu_s(), group.out_of_memory) == (0.0, False)
 
 
 KERNEL_ENDS_IT = """
@@ -141,7 +196,7 @@ from judge.sandbox.keeper import watch
 from judge.sandbox.keeper.cgroup import Cgroup
 from judge.sandbox.keeper.protocol import decode_request, encode_reply
 Cgroup.out_of_memory = True
-os.write(1, encode_reply(watch.run(decode_request(sys.argv[1].encode()))))
+os.write(1, encode_reply(watch.run(decode_request(sys.argv[1].encode()), Cgroup({}, 2))))
 """
 
 
@@ -150,7 +205,7 @@ def test_a_program_that_the_kernel_kills_for_memory_is_over_the_limit(tmp_path: 
         argv=(sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"),
         **{"cwd": "/", "env": {}, "stdin": None, "stdout": f"{tmp_path}/out"},
         **{"kill_cpu_s": 9, "kill_elapsed_s": 9, "memory_mib": 64, "output_bytes": 9},
-        **{"processes": 64, "file_mib": 1, "wall": None, "cgroup": None, "drop": False},
+        **{"processes": 64, "file_mib": 1, "wall": None, "user": None},
     )
     reader, writer = os.pipe()  # the keeper's control pipe: silent, but open
     done = subprocess.run(
@@ -165,107 +220,114 @@ def test_a_program_that_the_kernel_kills_for_memory_is_over_the_limit(tmp_path: 
 
 
 @pytest.fixture
-def real() -> Iterator[Path]:
-    """The directory where real control groups can be made."""
+def real() -> Iterator[Cgroups]:
+    """Where real control groups can be made."""
     groups = Cgroups()
-    if groups.directory is None:
+    if not groups.places:
         pytest.skip("this user may make no control groups")
-    yield groups.directory
+    yield groups
     groups.close("none")
 
 
-UNSEEN = """
-import os, signal, sys, time
-sys.stdin.readline()
-signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # children are reaped automatically
-reader, writer = os.pipe()
-if os.fork() == 0:
-    os.setsid()
-    while time.process_time() < 0.2:
-        pass
-    os.write(writer, b"x")
-    time.sleep(60)
-os.read(reader, 1)
-"""
-
-
-def test_a_real_control_group_counts_and_ends_a_daemon(real: Path) -> None:
-    process = subprocess.Popen([sys.executable, "-c", UNSEEN], stdin=subprocess.PIPE)
-    directory = real / f"{LEAF}-test-{process.pid}"
-    group = Cgroup(str(directory), process.pid, memory_mib=64, processes=8)
-    process.communicate(b"\n", timeout=60)
-    assert group.cpu_s() >= 0.2
-    left = (directory / "cgroup.procs").read_text().split()
-    assert len(left) == 1  # the daemon
-    group.kill()
-    give_up = time.monotonic() + 30
-    while (directory / "cgroup.procs").read_text() and time.monotonic() < give_up:
-        time.sleep(0.01)
-    group.close()
-    assert not directory.exists()
-
-
-def test_the_control_groups_of_a_killed_keeper_are_removed(real: Path) -> None:
-    groups = Cgroups()
-    assert groups.directory is not None
-    left = groups.directory / "collision-course-left-17"
-    left.mkdir()
-    groups.close("collision-course-left")
-    assert not left.exists()
-
-
-@pytest.mark.parametrize("walled", [False, True])
-@pytest.mark.parametrize("granted", [False, True])
-@pytest.mark.parametrize("limits", [False, True])
-def test_a_control_group_is_made_where_it_adds_something(
-    walled: bool, granted: bool, limits: bool
-) -> None:
-    clock = SimpleNamespace(granted=granted)
-    wall = "a wall" if walled else None
-    request = SimpleNamespace(wall=wall, cgroup=CgroupRequest("/groups/name", limits))
-    nothing_to_gain = walled and granted and not limits
-    place = place_of_cgroup(request, clock)  # type: ignore[arg-type] # all that it uses of a clock
-    assert place == (None if nothing_to_gain else f"/groups/name-{os.getpid()}")
-    request.cgroup = None
-    assert place_of_cgroup(request, clock) is None  # type: ignore[arg-type] # as above
+def left(groups: Cgroups, name: str) -> list[str]:
+    return [str(path) for place in groups.places.values() for path in place.glob(f"{name}*")]
 
 
 @pytest.mark.parametrize("wall", [False, True])
-def test_no_control_group_is_left_after_a_run(real: Path, tmp_path: Path, wall: bool) -> None:
+def test_no_control_group_is_left(real: Cgroups, tmp_path: Path, wall: bool) -> None:
     script = "setsid sleep 60 & cat /proc/self/cgroup"
     limits = RunLimits(time_limit_s=5, memory_mib=200, output_mib=1)
     with Sandbox(probe().wall if wall else None) as sandbox:
+        name = sandbox.scratch.name
         facts = sandbox.run(Command(("/bin/sh", "-c", script)), limits, stdout=tmp_path / "out")
-        assert list(real.glob(f"{sandbox.scratch.name}*")) == []
+        assert left(real, name), "the keeper has none"
     assert facts.exit_status == 0
-    own = [x for x in (tmp_path / "out").read_text().splitlines() if x.startswith("0::")]
-    assert own == (["0::/"] if wall else own)  # behind a wall, a namespace hides the name
-    assert wall or sandbox.scratch.name in own[0]
+    assert left(real, name) == []
+    assert (name in (tmp_path / "out").read_text()) is not wall  # a namespace hides the names
 
 
-def test_delegated_controllers_limit_memory_and_processes(real: Path, tmp_path: Path) -> None:
-    """Delegate them by `systemd-run --user --scope -p Delegate=yes python -m pytest ...`."""
-    limits = RunLimits(time_limit_s=5, memory_mib=64, output_mib=1, processes=20)
-    held: dict[str, str] = {}
+def test_what_a_killed_keeper_leaves_is_removed(real: Cgroups) -> None:
+    for place in set(real.places.values()):
+        (place / "collision-course-left-17").mkdir()
+    Cgroups().close("collision-course-left")
+    assert left(real, "collision-course-left") == []
 
-    def look(name: str) -> None:
-        give_up = time.monotonic() + 30
-        while held.get("pids.max", "max") == "max" and time.monotonic() < give_up:  # not set yet
-            for group in real.glob(f"{name}-*"):
-                for file in ("memory.max", "pids.max"):
-                    with contextlib.suppress(OSError):
-                        held[file] = (group / file).read_text().strip()
 
-    with Sandbox() as sandbox:
-        request = sandbox._cgroups.request(sandbox.scratch.name)
-        if request is None or not request.limits:
-            pytest.skip("no controllers are delegated to this user")
-        watcher = Thread(target=look, args=(sandbox.scratch.name,))
-        watcher.start()
-        sandbox.run(Command(("/bin/sleep", "0.5")), limits, stdout=tmp_path / "out")
-        watcher.join()
-        code = "import os\nfor _ in range(8): os.fork()\nwhile True: x = b'1' * (3 << 20)"
-        command = Command((sys.executable, "-c", code))
-        over = sandbox.run(command, limits, stdout=tmp_path / "out")
-    assert held == {"memory.max": str((64 + SLACK_MIB) << 20), "pids.max": "80"}
-    assert over.stopped in (Stop.MEMORY, Stop.PROCESSES)
+HIDDEN = """
+import os, signal, time
+signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # children are reaped automatically
+reader, writer = os.pipe()
+if os.fork() == 0:
+    end = time.process_time() + 0.3
+    while time.process_time() < end:
+        pass
+    os.write(writer, b"x")
+    os._exit(0)
+os.read(reader, 1)
+time.sleep(0.05)
+"""
+
+
+def test_cpu_time_that_no_accounting_sees_is_counted(real: Cgroups, run_bare) -> None:
+    if not real.count_cpu:
+        pytest.skip("no control group counts CPU time")
+    assert run_bare(HIDDEN).cpu_s >= 0.3
+    assert run_bare("pass").cpu_s < 0.2  # the keeper and earlier runs do not count
+
+
+SPREAD = """
+import os, sys, time
+reader, writer = os.pipe()
+for _ in range(8):  # each for itself is small, and gone before anybody looks closely
+    if os.fork() == 0:
+        block = b"1" * (40 << 20)
+        os.write(writer, b"x")
+        time.sleep(1)
+        os._exit(0)
+for _ in range(8):
+    os.read(reader, 1)
+print("held")
+"""
+
+
+def test_the_kernel_holds_the_memory_of_all_processes(real: Cgroups, run_bare, tmp_path) -> None:
+    if not real.hold_memory:
+        pytest.skip("no control group limits memory")
+    facts = run_bare(SPREAD, memory_mib=128)
+    assert facts.stopped is Stop.MEMORY
+    assert (tmp_path / "out").read_text() == ""
+    assert run_bare(SPREAD, memory_mib=600).exit_status == 0
+    assert 280 < run_bare(SPREAD, memory_mib=600).memory_mib < 420
+
+
+def test_caches_of_files_are_no_memory_of_the_program(real: Cgroups, run_bare, tmp_path) -> None:
+    if not real.hold_memory:
+        pytest.skip("no control group limits memory")
+    code = (
+        "import os\n"
+        "with open('big', 'wb') as file:\n"
+        "    for _ in range(200): file.write(b'1' * (1 << 20))\n"
+        "with open('big', 'rb') as file:\n"
+        "    while file.read(1 << 20): pass\n"
+        "print('done')\n"
+    )
+    facts = run_bare(code, memory_mib=64)
+    assert (facts.exit_status, facts.stopped) == (0, None)
+    assert facts.memory_mib < 64
+
+
+def test_the_number_of_processes_is_limited(real: Cgroups, run_bare, tmp_path) -> None:
+    if "pids" not in real.places:
+        pytest.skip("no control group limits processes")
+    code = (
+        "import os, time\n"
+        "made = 0\n"
+        "try:\n"
+        "    while made < 500:\n"
+        "        if os.fork() == 0: time.sleep(5); os._exit(0)\n"
+        "        made += 1\n"
+        "except OSError: pass\n"
+        "print(made, flush=True)\n"
+    )
+    run_bare(code, processes=32)
+    assert int((tmp_path / "out").read_text() or 0) <= 40

@@ -31,10 +31,14 @@ class Cgroup:
         self._of: dict[str, Path] = {}
         for controller, place in places.items():
             directory = Path(f"{place}-{os.getpid()}")
-            with contextlib.suppress(OSError):
+            try:
                 directory.mkdir(exist_ok=True)
-                self._of[controller] = directory
                 write(directory / "cgroup.procs", os.getpid())
+            except OSError:
+                with contextlib.suppress(OSError):
+                    directory.rmdir()
+            else:
+                self._of[controller] = directory
         if version == 2 and read(self._file("memory", "memory.max")) == "":
             self._of.pop("memory", None)  # there, but without this controller
         if version == 2 and read(self._file("pids", "pids.max")) == "":

@@ -29,39 +29,32 @@ class Memory:
 
     def __init__(self, scratch: Mapping[str, int]) -> None:
         self._scratch = scratch
-        self._shared_mib: dict[tuple[int, str], float] = {}  # of each, when last measured
-        self._measured: set[tuple[int, str]] = set()  # in the pass that is under way
+        self._exact_mib: dict[tuple[int, str], float] = {}  # in the pass that is under way
 
     def used_mib(self, live: Sequence[Process], limit_mib: float) -> float:
         """Return the memory in use by all of `live`, parents first; a lower bound at times.
 
-        The sum of the processes' resident memory counts what they share several times. Only
-        when it is over the limit is it found out how much that is, for some
-        milliseconds at each sample, and the result is exact when all were measured.
+        The resident memory of several processes counts what they share several times. So each is
+        measured exactly, for some milliseconds at each sample, and the result is exact
+        when all were measured. One process is measured only near the limit.
         """
         walls = live[: WALL_PROCESSES if self._scratch else 0]
         own = [process for process in walls if process.resident_mib > WALL_MIB]
         own = [*own, *live[len(walls) :]] or list(live)
         held_mib = self._held_mib(live)
-        most_mib = sum(p.resident_mib - self._shared_mib.get(p.identity, 0.0) for p in own)
-        if most_mib + held_mib <= limit_mib:
-            self._measured.clear()
-            return (
-                most_mib + held_mib
-                if len(own) == 1
-                else max((p.resident_mib for p in own), default=0.0) + held_mib
-            )
+        largest_mib = max((process.resident_mib for process in own), default=0.0) + held_mib
+        if len(own) <= 1 and largest_mib <= limit_mib:
+            return largest_mib
         give_up = time.monotonic() + EXACT_AT_MOST_S
         for process in own:
-            if process.identity not in self._measured and time.monotonic() < give_up:
+            if process.identity not in self._exact_mib and time.monotonic() < give_up:
                 exact_mib = proportional_mib(process, bool(self._scratch))
-                self._shared_mib[process.identity] = process.resident_mib - exact_mib
-                self._measured.add(process.identity)
-        if any(process.identity not in self._measured for process in own):
-            return max(p.resident_mib for p in own) + held_mib
-        self._measured.clear()
-        exact = distinct(own)
-        return held_mib + sum(p.resident_mib - self._shared_mib[p.identity] for p in exact)
+                self._exact_mib[process.identity] = exact_mib
+        if any(process.identity not in self._exact_mib for process in own):
+            return largest_mib
+        exact_mib = held_mib + sum(self._exact_mib[p.identity] for p in distinct(own))
+        self._exact_mib.clear()
+        return exact_mib
 
     def _held_mib(self, live: Sequence[Process]) -> float:
         """Return what the scratch file systems hold, as a process behind the wall sees them."""
