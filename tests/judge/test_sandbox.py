@@ -192,12 +192,17 @@ def sample_of(pid: int, resident_mib: float) -> Process:
     return Process(pid, "1", f"/nowhere/{pid}", 0.0, 0.0, resident_mib, 100.0)
 
 
-def test_the_first_process_of_a_wall_counts_if_it_is_taken_over() -> None:
+def test_the_first_process_of_a_wall_counts_if_it_is_taken_over(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     """Both belong to the same user, so the program can write to its memory."""
     program = sample_of(3, 50)
     assert Memory({"/tmp": 1}).used_mib([sample_of(1, 3), sample_of(2, 3), program], 99) == 50
+    monkeypatch.setattr(
+        "judge.sandbox.keeper.memory.proportional_mib", lambda process, _: process.resident_mib
+    )
     taken = Memory({"/tmp": 1}).used_mib([sample_of(1, 3), sample_of(2, 900), program], 2000)
-    assert taken == 900
+    assert taken == 950
     assert Memory({}).used_mib([program], 99) == 50
 
 

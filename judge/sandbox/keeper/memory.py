@@ -14,6 +14,7 @@ from judge.sandbox.keeper.libc import system_call
 from judge.sandbox.keeper.proc import EXITING, FLAGS, Process, fields, read
 
 INODE_BYTES = 1024  # about what a file of a memory file system takes, with its name
+SOCKET_BYTES = 2 * 212992  # unread ones: the kernel allows twice the default of its setting
 WALL_PROCESSES = 2  # bubblewrap itself, and the first process inside
 WALL_MIB = 8.0  # either has less, unless the program has taken it over
 EXACT_AT_MOST_S = 0.004  # at one sample; what is left is measured at the next one
@@ -43,21 +44,25 @@ class Memory:
         own = [*own, *live[len(walls) :]] or list(live)
         held_mib = self._held_mib(live)
         largest_mib = max((process.resident_mib for process in own), default=0.0) + held_mib
-        if len(own) <= 1 and largest_mib <= limit_mib:
-            return largest_mib
+        if len(own) <= 1:
+            largest_mib += sum(map(tables_mib, own))
+            if largest_mib <= limit_mib:
+                return largest_mib
         give_up = time.monotonic() + EXACT_AT_MOST_S
         for process in own:
             if process.identity not in self._exact_mib and time.monotonic() < give_up:
                 exact_mib = proportional_mib(process, bool(self._scratch))
                 self._exact_mib[process.identity] = exact_mib
         if any(process.identity not in self._exact_mib for process in own):
-            return largest_mib
+            return max(largest_mib, held_mib + sum(self._exact_mib.values()))
         exact_mib = held_mib + sum(self._exact_mib[p.identity] for p in distinct(own))
         self._exact_mib.clear()
         return exact_mib
 
     def _held_mib(self, live: Sequence[Process]) -> float:
-        """Return what the scratch file systems hold, as a process behind the wall sees them."""
+        """Return what the scratch file systems and sockets behind the wall hold, as seen there."""
+        if not self._scratch:
+            return 0.0
         held = (self._held_bytes(process) for process in live)
         return next((found for found in held if found is not None), 0) / 2**20
 
@@ -76,7 +81,8 @@ class Memory:
                 return None
             held += (seen.f_blocks - seen.f_bfree) * seen.f_frsize
             held += (seen.f_files - seen.f_ffree) * INODE_BYTES
-        return held if self._scratch else None
+        sockets = read(f"{process.place}/net/sockstat").split()  # sockets: used 8 ...
+        return held + (int(sockets[2]) * SOCKET_BYTES if sockets else 0)
 
 
 def proportional_mib(process: Process, without_scratch: bool) -> float:
@@ -86,13 +92,18 @@ def proportional_mib(process: Process, without_scratch: bool) -> float:
     the process does not let others look, this is its resident memory, or 0 if it is exiting.
     """
     lines = read(f"{process.place}/smaps_rollup").splitlines()
-    lines += read(f"{process.place}/status").splitlines()
     kib = {line.split()[0]: int(line.split()[1]) for line in lines if line.endswith(" kB")}
     if "Pss:" in kib:
         shared = kib.get("Pss_Shmem:", 0) if without_scratch else 0
-        return (kib["Pss:"] + kib.get("VmPTE:", 0) - shared) / 1024
+        return (kib["Pss:"] - shared) / 1024 + tables_mib(process)
     stat = fields(process.place)
     return 0.0 if not stat or int(stat[FLAGS]) & EXITING else process.resident_mib
+
+
+def tables_mib(process: Process) -> float:
+    """Return the memory of a process's page tables, which can exceed the memory they map."""
+    lines = read(f"{process.place}/status").splitlines()
+    return sum(int(line.split()[1]) for line in lines if line.startswith("VmPTE:")) / 1024
 
 
 def distinct(processes: Sequence[Process]) -> list[Process]:

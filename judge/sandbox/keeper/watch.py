@@ -18,7 +18,7 @@ FIRST_SAMPLE_S, SAMPLE_S = 0.005, 0.02  # early samples, for short runs
 SAMPLE_GROWTH = 0.4
 STARVED_AT_MOST_S = 60.0
 WALL_PROCESSES = 3  # bubblewrap, the first process inside, the shell that starts the program
-SAMPLES_SHARE = 0.1  # of the time goes into samples, however many processes there are
+SAMPLES_SHARE = 0.25  # of the time goes into samples, however many processes there are
 
 
 class JudgeGoneError(Exception):
