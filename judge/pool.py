@@ -136,7 +136,7 @@ class Ready:
 def prepare(job: Job) -> Ready:
     """Task: compile the submission. Raises NoWallError, LanguageError, SandboxError."""
     with _WORKERS.using(job) as worker:
-        wall = None if worker.sandbox.wall is None else str(worker.sandbox.wall)
+        wall = worker.sandbox.protection
         try:
             worker.compile()
         except CompileError as error:

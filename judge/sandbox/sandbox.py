@@ -167,6 +167,15 @@ class Sandbox:
             raise SandboxError(reply.why)
         return reply
 
+    @property
+    def protection(self) -> str | None:
+        """What is around every run, in words; None without a wall."""
+        if self.wall is None:
+            return None
+        if self._cgroups.hold_memory:
+            return f"{self.wall} and control groups"
+        return f"{self.wall}, without control groups (memory of the kernel is not counted)"
+
     def inside(self, directory: Path) -> Path:
         """Return the path at which a program sees its `directory`."""
         return directory if self.wall is None else PROGRAM

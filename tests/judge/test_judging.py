@@ -19,6 +19,7 @@ from judge.problem.declaration import load
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging, Scale
 from judge.run import run_case
+from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import RunLimits
 from judge.sandbox.sandbox import Command, Sandbox
 
@@ -48,7 +49,10 @@ def test_points_and_order(source: Source, data: Path) -> None:
         ("small", 15, 15),
     ]
     assert heard == list(outcome.cases)
-    assert all(0 < r.cpu_s < 5 and 0 < r.elapsed_s < 10 and r.memory_mib > 1 for r in heard)
+    assert all(0 < r.cpu_s < 5 and 0 < r.elapsed_s < 10 for r in heard)
+    # Samples alone may miss what such a short run holds.
+    least_mib = 1 if Cgroups().hold_memory else 0
+    assert all(least_mib <= r.memory_mib < 60 for r in heard)
 
 
 def test_one_wrong_case_loses_its_group_only(source: Source, data: Path) -> None:
