@@ -30,7 +30,7 @@ def decide(
     program means nothing.
     """
     if facts.stopped is Stop.PROCESSES:
-        return Judgement(Verdict.RTE, f"more than {limits.processes} processes at once")
+        return Judgement(Verdict.RTE, "too many processes at once")
     if facts.stopped is Stop.MEMORY or facts.memory_mib > limits.memory_mib:
         return Judgement(
             Verdict.MLE,

@@ -20,9 +20,10 @@ ELAPSED_MARGIN_S = 3.0
 class RunLimits:
     """What all processes of one run may use together.
 
-    time_limit_s: CPU seconds; memory_mib: peak resident memory; output_mib:
-    standard output and standard error together; processes: alive at once; elapsed_s:
-    elapsed seconds, None for what a program needs that is kept waiting.
+    time_limit_s: CPU seconds; memory_mib: peak resident memory; output_mib: standard output
+    and standard error together; processes: alive at once (without control groups, which
+    count the kernel's memory, at most UNLISTED_PROCESSES); elapsed_s: elapsed seconds,
+    None for what a program needs that is kept waiting.
     """
 
     time_limit_s: float

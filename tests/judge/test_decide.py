@@ -52,7 +52,7 @@ ROWS = [
     ({"output_bytes": 1 << 20}, None, Verdict.AC, ""),
     ({"output_bytes": (1 << 20) + 1}, WRONG, Verdict.OLE, "more than 1 MiB of output"),
     ({**KILLED, "stopped": Stop.OUTPUT}, WRONG, Verdict.OLE, "output"),
-    ({**KILLED, "stopped": Stop.PROCESSES}, WRONG, Verdict.RTE, "128 processes"),
+    ({**KILLED, "stopped": Stop.PROCESSES}, WRONG, Verdict.RTE, "too many processes"),
 ]
 
 

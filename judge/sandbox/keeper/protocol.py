@@ -10,6 +10,8 @@ import json
 from enum import StrEnum
 from typing import NamedTuple
 
+UNLISTED_PROCESSES = 32  # each may hold memory of the kernel that only a control group counts
+
 
 class Stop(StrEnum):
     """The limit for which the keeper stopped a run."""

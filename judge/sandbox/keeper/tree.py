@@ -55,6 +55,11 @@ class Tree:
         self.memory_mib = max(self.memory_mib, memory_mib)
         self.cpu_s = max(self.cpu_s, self._counted_s())
 
+    @property
+    def listed(self) -> bool:
+        """Whether a control group lists the processes."""
+        return self._cgroup.processes() is not None
+
     def pids(self) -> list[int]:
         """Return all processes, parents first where no control group lists them."""
         listed = self._cgroup.processes()

@@ -10,7 +10,7 @@ from pathlib import Path
 from judge.sandbox.keeper.cgroup import SLACK_MIB, Cgroup
 from judge.sandbox.keeper.launch import LaunchError, launch
 from judge.sandbox.keeper.pipes import Feeder, Sink
-from judge.sandbox.keeper.protocol import Facts, Request, Stop
+from judge.sandbox.keeper.protocol import UNLISTED_PROCESSES, Facts, Request, Stop
 from judge.sandbox.keeper.tree import Tree, peak_mib
 
 CONTROL = 0
@@ -91,6 +91,9 @@ def watch(
     for fd in sink.open_fds:
         poll.register(fd, select.POLLIN)
     poll.register(feeder.fd, select.POLLOUT)
+    most_processes = request.processes
+    if not tree.listed:
+        most_processes = min(most_processes, UNLISTED_PROCESSES)
     next_sample = started + FIRST_SAMPLE_S
     try:
         while True:
@@ -114,7 +117,7 @@ def watch(
             next_sample = now + max(slow_s, min(growing_s, SAMPLE_S))
             if tree.memory_mib > request.memory_mib:
                 return Stop.MEMORY
-            if tree.processes > request.processes:
+            if tree.processes > most_processes:
                 return Stop.PROCESSES
             if tree.cpu_s > request.kill_cpu_s:
                 return Stop.CPU

@@ -1,4 +1,4 @@
-/* Fills memory in many processes whose memory maps nobody may read. Expect: MLE */
+/* Fills memory in many processes whose memory maps nobody may read. Expect: MLE RTE */
 #include <stdlib.h>
 #include <sys/prctl.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-"""Leaves zombies: it waits for none of its children. Expect: AC"""
+"""Leaves zombies: it waits for none of its children. Expect: AC RTE"""
 
 import os
 import sys

@@ -1,4 +1,4 @@
-/* Fills memory with page tables, a little in each of many processes. Expect: MLE */
+/* Fills memory with page tables, a little in each of many processes. Expect: MLE RTE */
 #include <stdio.h>
 #include <sys/mman.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-/* Fills memory, a little in each of many processes. Expect: MLE */
+/* Fills memory, a little in each of many processes. Expect: MLE RTE */
 #include <stdlib.h>
 #include <unistd.h>
 
