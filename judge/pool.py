@@ -40,9 +40,8 @@ class Job:
     """What a worker needs to judge one submission: plain data.
 
     without_wall: the program may run without a wall where none works. keepers: how many to
-    start at once, one for each run that goes on in the same worker. hidden: directories that no
-    program may see, besides those of the kit. key: tells judgings
-    apart, so that a worker gets ready once for each.
+    start in advance, one for each run at a time. hidden: directories that no program may see,
+    besides those of the kit. key: tells judgings apart, so that a worker compiles once for each.
     """
 
     submission: Submission

@@ -43,7 +43,7 @@ class Cgroup:
             self._of.pop("memory", None)  # there, but without this controller
         if version == 2 and read(self._file("pids", "pids.max")) == "":
             self._of.pop("pids", None)
-        self._own_mib = self._held_mib() or 0.0
+        self._own_mib = self._began_mib = self._held_mib() or 0.0
         self._cpu_began_s = self._kills_began = 0.0
 
     @property
@@ -53,7 +53,8 @@ class Cgroup:
 
     def begin(self, memory_mib: int, processes: int) -> None:
         """Set the limits of the next program, and count from now on."""
-        self._own_mib = min(self._held_mib() or 0.0, self._own_mib + SLACK_MIB)
+        # What an earlier program has left does not raise the limit for long.
+        self._own_mib = min(self._held_mib() or 0.0, self._began_mib + SLACK_MIB)
         most = int((memory_mib + SLACK_MIB + self._own_mib) * 2**20)
         if self._version == 2:
             self._set("memory", "memory.swap.max", 0)
