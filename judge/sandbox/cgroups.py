@@ -13,12 +13,12 @@ import secrets
 import time
 from pathlib import Path
 
+from judge.sandbox.keeper.cgroup import LEAF
 from judge.sandbox.keeper.proc import read
 
 # What a keeper uses, and the controllers that do it in either version.
 CONTROLLERS = {2: {"memory": "memory", "pids": "pids"}}
 CONTROLLERS[1] = {**CONTROLLERS[2], "cpu": "cpuacct"}
-LEAF = "collision-course"
 END_TIMEOUT_S = 2.0
 
 

@@ -5,15 +5,16 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from judge.kit.paths import ROOT
-from judge.sandbox.cgroups import LEAF, Cgroups
+from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import Facts, RunLimits, Stop
-from judge.sandbox.keeper.cgroup import SLACK_MIB, Cgroup
+from judge.sandbox.keeper.cgroup import LEAF, SLACK_MIB, Cgroup
 from judge.sandbox.keeper.protocol import Request, decode_reply, encode_request
 from judge.sandbox.probe import probe
 from judge.sandbox.sandbox import Command, Sandbox
@@ -272,7 +273,7 @@ def test_cpu_time_that_no_accounting_sees_is_counted(real: Cgroups, run_bare) ->
     if not real.count_cpu:
         pytest.skip("no control group counts CPU time")
     assert run_bare(HIDDEN).cpu_s >= 0.3
-    assert run_bare("pass").cpu_s < 0.2  # the keeper and earlier runs do not count
+    assert run_bare("pass").cpu_s < 0.3  # the keeper and earlier runs do not count
 
 
 SPREAD = """
@@ -303,6 +304,9 @@ def test_the_kernel_holds_the_memory_of_all_processes(real: Cgroups, run_bare, t
 def test_caches_of_files_are_no_memory_of_the_program(real: Cgroups, run_bare, tmp_path) -> None:
     if not real.hold_memory:
         pytest.skip("no control group limits memory")
+    kind = ["stat", "-f", "-c", "%T", tempfile.gettempdir()]
+    if subprocess.run(kind, capture_output=True, text=True, check=True).stdout == "tmpfs\n":
+        pytest.skip("scratch files are in memory here")
     code = (
         "import os\n"
         "with open('big', 'wb') as file:\n"

@@ -17,6 +17,7 @@ from judge.sandbox.keeper.proc import read
 
 SLACK_MIB = 16.0  # for the wall's own processes; what is over the limit itself is sampled
 UNLIMITED = -1
+LEAF = "collision-course"  # where the judge itself is, if it had to move
 
 
 class Cgroup:
@@ -92,8 +93,11 @@ class Cgroup:
     def close(self) -> None:
         """Leave and remove the control groups; more than once does no harm."""
         for directory in dict.fromkeys(self._of.values()):
-            with contextlib.suppress(OSError):
-                write(directory.parent / "cgroup.procs", os.getpid())
+            # With version 2, no process may be in the parent while it has controllers enabled.
+            for target in (directory.parent, directory.parent / LEAF):
+                with contextlib.suppress(OSError):
+                    write(target / "cgroup.procs", os.getpid())
+                    break
             with contextlib.suppress(OSError):
                 directory.rmdir()
         self._of = {}
