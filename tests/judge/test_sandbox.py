@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import signal
@@ -13,7 +14,9 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from judge.kit.paths import ROOT
 from judge.sandbox.facts import RunLimits, Stop
+from judge.sandbox.keeper import BOOT
 from judge.sandbox.keeper.cgroup import Cgroup
 from judge.sandbox.keeper.memory import Memory, proportional_mib
 from judge.sandbox.keeper.pipes import Sink
@@ -467,3 +470,22 @@ def test_shared_memory_is_measured_bit_by_bit(monkeypatch: pytest.MonkeyPatch) -
     assert (memory.used_mib(three, 500), looked[3:]) == (450.0, [1, 2])
     assert (memory.used_mib(three, 500), looked[3:]) == (460.0, [1, 2, 3])
     assert memory.used_mib(three, 500) == 450.0  # all are measured again
+
+
+def test_a_keeper_whose_judge_died_at_once_removes_the_scratch_directory(tmp_path: Path) -> None:
+    """Nobody reads its first reply."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    places = json.dumps([2, {}])
+    done = subprocess.run(
+        [sys.executable, "-I", "-S", "-c", BOOT, ROOT, tmp_path / "scratch", places],
+        stdin=subprocess.DEVNULL,
+        stdout=writer,
+        stderr=subprocess.PIPE,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    os.close(writer)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert list(tmp_path.iterdir()) == []

@@ -86,8 +86,8 @@ def main() -> None:
     version, places = json.loads(sys.argv[3])
     cgroup = Cgroup(places, version)
     failed = make(scratch)
-    os.write(1, encode_reply(None if failed is None else Failure(failed)))
     try:
+        os.write(1, encode_reply(None if failed is None else Failure(failed)))
         for request in requests():
             if not answer(request, cgroup):
                 return  # the judge goes on with another keeper, and the scratch directory stays

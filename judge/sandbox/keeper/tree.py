@@ -60,6 +60,11 @@ class Tree:
         """Whether a control group lists the processes."""
         return self._cgroup.processes() is not None
 
+    @property
+    def out_of_memory(self) -> bool:
+        """Whether the kernel killed a process because the memory was used up."""
+        return self._cgroup.out_of_memory
+
     def pids(self) -> list[int]:
         """Return all processes, parents first where no control group lists them."""
         listed = self._cgroup.processes()
@@ -70,7 +75,8 @@ class Tree:
 
         The keeper's own time is left out: the program caused that work.
         """
-        stats = [read(f"/proc/{pid}/schedstat").split() for pid in self.pids()]
+        # A control group does not list a process that is just ending, and may have waited for that.
+        stats = [read(f"/proc/{pid}/schedstat").split() for pid in descendants()]
         ready_s = max((int(stat[1]) / 1e9 for stat in stats if stat), default=0.0)
         return ready_s - self._own_s()
 

@@ -50,9 +50,11 @@ def run(request: Request, cgroup: Cgroup) -> Facts:
         try:
             stopped = watch(pid, feeder, sink, tree, started, request)
         finally:
+            if tree.listed:  # what its children hold when it ends counts, and is told at once
+                tree.sample(request.memory_mib)
             all_ended = tree.end()
             feeder.close()
-        if stopped is None and cgroup.out_of_memory:
+        if stopped in (None, Stop.MEMORY) and tree.out_of_memory:
             stopped = Stop.MEMORY
             tree.memory_mib = max(tree.memory_mib, request.memory_mib + SLACK_MIB)
         elapsed_s = time.monotonic() - started
@@ -115,7 +117,7 @@ def watch(
             tree.sample(request.memory_mib)
             slow_s = (time.monotonic() - now) / SAMPLES_SHARE
             next_sample = now + max(slow_s, min(growing_s, SAMPLE_S))
-            if tree.memory_mib > request.memory_mib:
+            if tree.memory_mib > request.memory_mib or tree.out_of_memory:
                 return Stop.MEMORY
             if tree.processes > most_processes:
                 return Stop.PROCESSES
