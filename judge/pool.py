@@ -11,8 +11,8 @@ import atexit
 import secrets
 import threading
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -31,6 +31,7 @@ from judge.sandbox.probe import NoWallError, walled_sandbox
 from judge.sandbox.sandbox import Sandbox
 
 T = TypeVar("T")
+AHEAD = 8  # how many cases for each job may be started before the first one has ended
 EARLIER_FAILED = "an earlier case of its group failed"
 
 
@@ -235,9 +236,16 @@ class Pool:
         running: deque[_Run] = deque()
         stopped: set[str] = set()  # groups that ended at a failure
         known = False  # whether `limits` are scaled to this machine
+        most = AHEAD * self._jobs  # results may wait for that of an earlier case
         while waiting or running:
-            while waiting and len(running) < self._jobs:
-                running.append(self._run(waiting.popleft(), limits, stopped))
+            under_way = _under_way(running)
+            first_is_done = bool(running) and running[0] not in under_way
+            if waiting and len(running) < most and not first_is_done:
+                if len(under_way) < self._jobs:
+                    running.append(self._run(waiting.popleft(), limits, stopped))
+                else:  # whichever ends first makes room for another
+                    wait(_futures(under_way), timeout=1, return_when=FIRST_COMPLETED)
+                continue
             run = running.popleft()
             if run.pending is None or run.case.group in stopped:
                 yield not_run(run.case, EARLIER_FAILED)
@@ -245,9 +253,8 @@ class Pool:
             result = self.result(run.pending)
             if result.verdict is Verdict.TLE:
                 if not known:
-                    for other in running:  # the machine is measured while nothing else runs
-                        if other.pending is not None:
-                            _wait_for(other.pending.future)
+                    for future in _futures(running):  # nothing else runs during the measurement
+                        _wait_for(future)
                     limits, known = limits_here(), True
                 if limits != run.limits:
                     result = self._repeated(result, limits)
@@ -271,6 +278,16 @@ class Pool:
         except RuntimeError:  # a broken executor takes no more tasks
             future = self._threads.submit(task, *arguments)
         return Pending(future, task, arguments)
+
+
+def _futures(runs: Iterable[_Run]) -> list[Future[CaseResult]]:
+    """Return the futures of those that were started."""
+    return [run.pending.future for run in runs if run.pending is not None]
+
+
+def _under_way(runs: Iterable[_Run]) -> list[_Run]:
+    """Return those that were started and have not ended."""
+    return [run for run in runs if run.pending is not None and not run.pending.future.done()]
 
 
 def _wait_for(future: Future[Any]) -> None:
