@@ -33,6 +33,7 @@ from judge.sandbox.probe import probe
 
 HERE = Path(__file__).parent / "hostile"
 PROGRAMS = sorted(path for path in HERE.rglob("*.*") if by_suffix(path))
+SLOW = {"drips.py", "stops_itself.py"}  # they wait as long as sleeps.py, which stays
 SECONDS_AT_MOST = 30  # elapsed, for one program on a busy machine
 PR_SET_CHILD_SUBREAPER = 36
 
@@ -88,7 +89,11 @@ def shown(judging: Judging) -> str:
     return screen.getvalue() + to_json(judging).decode() + to_junit(judging).decode()
 
 
-@pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.relative_to(HERE).as_posix())
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(p, marks=[pytest.mark.slow] if p.name in SLOW else []) for p in PROGRAMS],
+    ids=lambda path: path.relative_to(HERE).as_posix(),
+)
 def test_the_verdict_is_an_expected_one(path: Path, data: Path) -> None:
     tool = {".c": "gcc", ".cpp": "g++"}.get(path.suffix)
     if tool is not None and shutil.which(tool) is None:

@@ -388,6 +388,7 @@ def test_no_place_for_scratch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
         Sandbox()
 
 
+@pytest.mark.slow
 def test_waiting_for_a_processor_is_not_sleep(run_bare: RunPython) -> None:
     """On a seventh of a processor, it passes the elapsed limit while it is below the time limit."""
     processor = min(os.sched_getaffinity(0))
