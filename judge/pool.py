@@ -65,7 +65,7 @@ class Worker:
         except NoWallError:
             if not job.without_wall:
                 raise
-            self.sandbox = Sandbox()
+            self.sandbox = Sandbox(keepers=job.keepers)
 
     def compile(self) -> Program:
         """Return the compiled submission; only the first call compiles.
