@@ -11,15 +11,18 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from judge.kit.command import FAILED, add_jobs, run
+from judge.kit.command import FAILED, add_jobs, run, whole_number
 from judge.kit.errors import KitError
 from judge.kit.files import check_place, write_report
 from judge.kit.paths import DATA
 from judge.kit.processors import cores
 
 if TYPE_CHECKING:
+    from judge.judging import Search
     from judge.languages.submission import Submission
     from judge.results import Judging
+
+    MakeSearch = Callable[[int | None], Search]
 
 EXIT_ACCEPTED, EXIT_REJECTED, EXIT_ERROR = 0, 1, FAILED
 
@@ -40,14 +43,18 @@ class UsageError(KitError):
     """The options contradict each other or cannot be followed."""
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Judge as the arguments say and return the exit status."""
+def main(arguments: Sequence[str] | None = None, make_search: MakeSearch | None = None) -> int:
+    """Judge as the arguments say and return the exit status.
+
+    make_search: returns the search for a counterexample that repeats a seed, or one with a new
+    seed for None. Without it there is no --explain.
+    """
     signal.signal(signal.SIGTERM, _interrupt)
     signal.signal(signal.SIGHUP, _interrupt)
     if sys.stdout is None:  # the exit status and the reports are useful alone
         sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115 (open until the process ends)
     interrupted = "interrupted, nothing is left running"
-    command = partial(_command, arguments)
+    command = partial(_command, arguments, make_search)
     return run("checker.py", command, interrupted=interrupted, reader_gone=EXIT_ERROR)
 
 
@@ -55,16 +62,19 @@ def _interrupt(_signal: int, _frame: object) -> None:
     raise KeyboardInterrupt
 
 
-def _command(arguments: Sequence[str] | None) -> int:
+def _command(arguments: Sequence[str] | None, make_search: MakeSearch | None) -> int:
     parser = _parser()
+    if make_search is not None:
+        _add_search(parser)
     asked = parser.parse_args(arguments)
     if asked.submission is None and sys.stdin.isatty():
         parser.print_help()
         return EXIT_ERROR
-    return _judge(asked)
+    search = make_search(asked.seed) if make_search is not None and asked.explain else None
+    return _judge(asked, search)
 
 
-def _judge(asked: argparse.Namespace) -> int:
+def _judge(asked: argparse.Namespace, search: Search | None) -> int:
     # Imported here, so that help and usage errors appear at once.
     from judge.judging import Options, judge
     from judge.problem.declaration import load
@@ -87,7 +97,7 @@ def _judge(asked: argparse.Namespace) -> int:
 
     console = PlainConsole()
     with live(console) as events:
-        judging = judge(submission, problem, options, events=events)
+        judging = judge(submission, problem, options, events=events, search=search)
     print_report(console, judging)
     for write in reports:
         write(judging)
@@ -158,6 +168,15 @@ def _parser() -> argparse.ArgumentParser:
     add("--stop-on-first", action="store_true", help="end each group at its first failure")
     add("--no-wall", action="store_true", help="judge even if no wall works here")
     return parser
+
+
+def _add_search(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--explain", action="store_true", help="show every missed lesson and a small counterexample"
+    )
+    parser.add_argument(
+        "--seed", type=whole_number(0), metavar="N", help="--explain: search as the seed N did"
+    )
 
 
 def _seconds(text: str) -> float:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from judge.explanation import Counterexample
 from judge.kept import KeptVerdicts
 from judge.kit.errors import KitError
 from judge.kit.paths import BRUTE_FORCE, DATA, REFERENCE, SUBMISSIONS
@@ -19,8 +20,11 @@ from judge.problem.data import Data, load_data
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging, Scale, first_failure, group_results, not_run
+from judge.run import Attempt
 from judge.sandbox.facts import RunLimits
 from judge.sandbox.probe import NoWallError
+
+UNEXPLAINED = (Verdict.AC, Verdict.CE, Verdict.JE)
 
 
 class JudgeError(KitError):
@@ -53,6 +57,27 @@ class Events:
     result: Callable[[CaseResult], None] = lambda _result: None
 
 
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """A submission that was judged and is not accepted, and the means to find out more.
+
+    cases: the results, in order. attempts: runs it on texts of input files, `jobs` at a time,
+    and yields the runs in order. limits: those of the judging. say: tells the user what is
+    being done now.
+    """
+
+    submission: Submission
+    problem: Problem
+    cases: tuple[CaseResult, ...]
+    attempts: Callable[[Iterable[bytes], RunLimits], Iterator[Attempt]]
+    limits: RunLimits
+    jobs: int
+    say: Callable[[str], None]
+
+
+Search = Callable[[Failure], Counterexample | None]  # raises KitError
+
+
 def judge(
     submission: Submission,
     problem: Problem,
@@ -60,11 +85,13 @@ def judge(
     *,
     events: Events | None = None,
     executor: Executor | None = None,
+    search: Search | None = None,
 ) -> Judging:
     """Judge `submission` and return all results.
 
     executor: carries out `options.jobs` runs at a time; None: threads. Its workers
-    need the kit, the data at the same paths, and a place for scratch files.
+    need the kit, the data at the same paths, and a place for scratch files. search: finds the
+    counterexample for a program that is not accepted; None: there is none in the results.
     Raises KitError if nothing can be judged; a single run that fails for a fault of the
     machine is JE. After any exception, even Ctrl-C, no process and no file is left.
     """
@@ -98,7 +125,19 @@ def judge(
                 declared = replace(time_limit.limits, time_limit_s=time_limit.declared_s)
                 kept = KeptVerdicts(store, submission, declared, data.manifest)
                 kept.keep({r.case.name: r.verdict for r in results if r.verdict is not None})
-        return _judging(submission, problem, data, time_limit, results, ready)
+        judging = _judging(submission, problem, data, time_limit, results, ready)
+        if search is None or judging.verdict in UNEXPLAINED or not problem.feedback.counterexample:
+            return judging
+        failure = Failure(
+            submission,
+            problem,
+            judging.cases,
+            pool.attempts,
+            time_limit.limits,
+            options.jobs,
+            events.phase,
+        )
+        return replace(judging, counterexample=search(failure))
 
 
 def _judging(

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from judge.compare import Mismatch
+from judge.explanation import Counterexample, Diagnosis
 from judge.problem.cases import Case
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
@@ -70,7 +71,9 @@ class Judging:
     times slower than the calibrating machine this one is, and where that figure comes from,
     None if it was not needed. partial: the cases are not all of the kit's, so the score says
     less. message: the compiler's, for CE. wall: the wall around every run, or None.
-    limit_given: the time limit is not the declared one, scaled or not.
+    limit_given: the time limit is not the declared one, scaled or not. diagnosis: for a program
+    that ran and is not accepted, if feedback permits it; counterexample: if one was asked for,
+    permitted and found.
     """
 
     submission: str
@@ -87,6 +90,8 @@ class Judging:
     message: str = ""
     wall: str | None = None
     limit_given: bool = False
+    diagnosis: Diagnosis | None = None
+    counterexample: Counterexample | None = None
 
     @property
     def cases(self) -> tuple[CaseResult, ...]:
