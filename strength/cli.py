@@ -24,6 +24,7 @@ from judge.problem.data import Data, load_data
 from judge.problem.declaration import Problem, load
 from judge.sandbox.sandbox import Sandbox
 from strength.analysis import Analysis, analyse
+from strength.gallery import cli as gallery
 from strength.mutants import cli as mutants
 from strength.page import page
 from strength.show import as_json, print_cases, print_findings, print_groups
@@ -36,6 +37,8 @@ def main(arguments: Sequence[str]) -> int:
     """Run the command line; return its exit status: 0 strong, 1 not, 2 failed."""
 
     def command() -> int:
+        if arguments[:1] == ["gallery"]:
+            return gallery.command(arguments[1:])
         if arguments[:1] == ["mutants"]:
             return mutants.command(arguments[1:])
         return _matrix_command(arguments)
