@@ -7,6 +7,8 @@ from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from judge.diagnosis.diagnose import diagnose
+from judge.diagnosis.gallery import load_gallery
 from judge.explanation import Counterexample
 from judge.kept import KeptVerdicts
 from judge.kit.errors import KitError
@@ -126,7 +128,14 @@ def judge(
                 kept = KeptVerdicts(store, submission, declared, data.manifest)
                 kept.keep({r.case.name: r.verdict for r in results if r.verdict is not None})
         judging = _judging(submission, problem, data, time_limit, results, ready)
-        if search is None or judging.verdict in UNEXPLAINED or not problem.feedback.counterexample:
+        if judging.verdict in UNEXPLAINED or not problem.feedback.lessons:
+            return judging
+        events.phase("looking for the lesson")
+        diagnosis = diagnose(
+            load_gallery(), pool.attempts, time_limit.limits, problem, judging.cases
+        )
+        judging = replace(judging, diagnosis=diagnosis)
+        if search is None or not problem.feedback.counterexample:
             return judging
         failure = Failure(
             submission,

@@ -19,11 +19,12 @@ def choose(
 
     right: the answers to the pool, one letter each; answers: those of each submission. Best is
     a scene that the programs of few other lessons fail, that many of its own lesson fail, and
-    that is small. Programs that fail half of the pool teach nothing: they have no scenes.
+    that is small. Programs that fail half of the pool, or always say the same, have no scenes.
     """
     fails = {
         name: frozenset(i for i, (a, b) in enumerate(zip(given, right, strict=True)) if a != b)
         for name, given in answers.items()
+        if len(set(given)) > 1
     }
     fails = {name: found for name, found in fails.items() if 2 * len(found) < len(pool)}
     killers: list[list[str]] = [[] for _ in pool]
