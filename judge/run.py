@@ -73,4 +73,5 @@ def run_case(sandbox: Sandbox, program: Program, limits: RunLimits, case: Case) 
         round(facts.memory_mib, 2),
         judgement.message,
         mismatch=mismatch if judgement.verdict is Verdict.WA else None,
+        stderr="" if judgement.verdict is Verdict.AC else program.shown(facts.stderr),
     )
