@@ -89,7 +89,7 @@ def _judge(asked: argparse.Namespace, search: Search | None) -> int:
         globs=tuple(asked.case),
         jobs=asked.jobs,
         time_limit_s=asked.time_limit,
-        stop_on_first=asked.stop_on_first,
+        stop_on_first=not asked.all,
         no_wall=asked.no_wall,
     )
     from judge.kit.console import PlainConsole
@@ -165,7 +165,10 @@ def _parser() -> argparse.ArgumentParser:
     add("--time-limit", type=_seconds, metavar="SECONDS", help="CPU seconds per case, not scaled")
     add("--json", type=Path, metavar="FILE", help="write the results as JSON")
     add("--junit", type=Path, metavar="FILE", help="write the results as JUnit XML")
-    add("--stop-on-first", action="store_true", help="end each group at its first failure")
+    rest = parser.add_mutually_exclusive_group()
+    rest.add_argument("--all", action="store_true", help="run the rest of a group after a failure")
+    stop = "end each group at its first failure, as its points are all or nothing (the default)"
+    rest.add_argument("--stop-on-first", action="store_true", help=stop)
     add("--no-wall", action="store_true", help="judge even if no wall works here")
     return parser
 

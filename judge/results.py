@@ -69,7 +69,7 @@ class GroupResult:
 
 @dataclass(frozen=True, slots=True)
 class Judging:
-    """All runs of one submission, in the order of the cases.
+    """All runs of one submission, in the order of judging.
 
     time_limit_s: the limit that held; declared_s: the one of problem.toml; scale: how many
     times slower than the calibrating machine this one is, and where that figure comes from,

@@ -5,7 +5,8 @@ from __future__ import annotations
 import contextlib
 import os
 
-STDERR_BYTES = 8192  # of both ends together
+STDERR_BYTES = 8192  # of both ends, and what stands between them
+HEAD_BYTES, TAIL_BYTES = 4096, 4032
 BLOCK_BYTES = 1 << 16
 
 
@@ -87,10 +88,10 @@ class Sink:
         """Read once; return False at the end of the pipe. Raises BlockingIOError."""
         block = os.read(fd, BLOCK_BYTES)
         if fd == self._stderr_fd:
-            room = STDERR_BYTES // 2 - len(self._head)
+            room = HEAD_BYTES - len(self._head)
             self._head += block[:room]
             rest = self._tail + block[room:]
-            self._tail = rest[-STDERR_BYTES // 2 :]
+            self._tail = rest[-TAIL_BYTES:]
             self._left_out += len(rest) - len(self._tail)
         else:
             _write_all(self._file, block[: max(0, self._limit - self.written)])
