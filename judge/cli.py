@@ -92,15 +92,17 @@ def _judge(asked: argparse.Namespace, search: Search | None) -> int:
         stop_on_first=not asked.all,
         no_wall=asked.no_wall,
     )
+    from judge.feedback import told
     from judge.kit.console import PlainConsole
     from judge.reports.terminal import live, print_report
 
     console = PlainConsole()
-    with live(console) as events:
+    with live(console, problem.feedback) as events:
         judging = judge(submission, problem, options, events=events, search=search)
-    print_report(console, judging)
+    permitted = told(judging, problem.feedback)
+    print_report(console, permitted, explain=search is not None, verbose=asked.verbose)
     for write in reports:
-        write(judging)
+        write(permitted)
     if judging.verdict is Verdict.JE:
         return EXIT_ERROR
     return EXIT_ACCEPTED if judging.verdict is Verdict.AC else EXIT_REJECTED
@@ -169,6 +171,7 @@ def _parser() -> argparse.ArgumentParser:
     rest.add_argument("--all", action="store_true", help="run the rest of a group after a failure")
     stop = "end each group at its first failure, as its points are all or nothing (the default)"
     rest.add_argument("--stop-on-first", action="store_true", help=stop)
+    add("--verbose", action="store_true", help="show all that is kept of standard error")
     add("--no-wall", action="store_true", help="judge even if no wall works here")
     return parser
 
