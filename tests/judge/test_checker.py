@@ -75,7 +75,7 @@ def test_json(checker: Checker, source: Source, data: Path, tmp_path: Path) -> N
     done = checker(source("w.py", code), "--data", data, "--json", report, "--stop-on-first")
     assert done.returncode == 1
     table = json.loads(report.read_text())
-    assert table["schema_version"] == 2
+    assert table["schema_version"] == 3
     assert (table["verdict"], table["score"], table["max_score"]) == ("WA", 15, 100)
     assert table["groups"][2] == {"name": "small", "verdict": "WA", "score": 0, "max_score": 15}
     case = table["cases"][3]
