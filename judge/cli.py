@@ -110,12 +110,18 @@ def _judge(asked: argparse.Namespace, search: Search | None) -> int:
 
 def _reports(asked: argparse.Namespace) -> list[Callable[[Judging], None]]:
     """Return the functions that write the reports, after checking that their places can be used."""
+    from judge.reports.html import to_html
     from judge.reports.junit import to_junit
     from judge.reports.schema import to_json
 
     writers: list[Callable[[Judging], None]] = []
     taken = {Path(asked.submission or "-").absolute(): "the submission"}
-    for option, path, form in (("--json", asked.json, to_json), ("--junit", asked.junit, to_junit)):
+    asked_for = (
+        ("--json", asked.json, to_json),
+        ("--junit", asked.junit, to_junit),
+        ("--html", asked.html, to_html),
+    )
+    for option, path, form in asked_for:
         if path is None:
             continue
         check_place(option, path)
@@ -167,6 +173,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--time-limit", type=_seconds, metavar="SECONDS", help="CPU seconds per case, not scaled")
     add("--json", type=Path, metavar="FILE", help="write the results as JSON")
     add("--junit", type=Path, metavar="FILE", help="write the results as JUnit XML")
+    add("--html", type=Path, metavar="FILE", help="write the results as one page to look at")
     rest = parser.add_mutually_exclusive_group()
     rest.add_argument("--all", action="store_true", help="run the rest of a group after a failure")
     stop = "end each group at its first failure, as its points are all or nothing (the default)"

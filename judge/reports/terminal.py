@@ -15,8 +15,8 @@ from judge.kit.progress import progress_bar
 from judge.problem.declaration import Feedback
 from judge.problem.verdict import Verdict
 from judge.reports.explained import print_explained
-from judge.reports.words import changed_line, limits_line, wall_line
-from judge.results import CaseResult, GroupResult, Judging
+from judge.reports.words import changed_line, count_of, limits_line, wall_line
+from judge.results import CaseResult, Judging
 
 COLOURS = {
     Verdict.AC: "bold green",
@@ -113,15 +113,8 @@ def _group_table(judging: Judging) -> Table:
             group.name,
             verdict_text(group.verdict),
             f"{group.score} of {group.max_score}" if group.whole else "partial",
-            _count(group),
+            count_of(group),
             f"{slowest.cpu_s:.2f}" if slowest else "-",
             slowest.case.name if slowest else "-",
         )
     return table
-
-
-def _count(group: GroupResult) -> str:
-    """Return `47`, or `1 of 47` if not all of the group's chosen cases were run."""
-    ran = sum(result.verdict is not None for result in group.cases)
-    every = len(group.cases)
-    return str(every) if ran == every else f"{ran} of {every}"

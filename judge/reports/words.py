@@ -11,7 +11,7 @@ from judge.kit.text import counted, printable_name
 from judge.machine import UNCALIBRATED
 from judge.problem.scenarios import scenario_lines
 from judge.problem.verdict import Verdict
-from judge.results import CaseResult, Judging
+from judge.results import CaseResult, GroupResult, Judging
 
 PICTURES = ROOT / "pictures"
 ANSWERS = ("YES", "NO")
@@ -83,6 +83,13 @@ def size_of(example: Counterexample) -> str:
     if example.scenarios > 1:
         size += f"; the last of {example.scenarios} scenarios, which it needs to fail"
     return size
+
+
+def count_of(group: GroupResult) -> str:
+    """Return `47`, or `1 of 47` if not all of the group's chosen cases were run."""
+    ran = sum(result.verdict is not None for result in group.cases)
+    every = len(group.cases)
+    return str(every) if ran == every else f"{ran} of {every}"
 
 
 def limits_line(judging: Judging) -> str:
