@@ -89,18 +89,20 @@ def _judge(asked: argparse.Namespace, search: Search | None) -> int:
         globs=tuple(asked.case),
         jobs=asked.jobs,
         time_limit_s=asked.time_limit,
-        stop_on_first=asked.stop_on_first,
+        stop_on_first=not asked.all,
         no_wall=asked.no_wall,
     )
+    from judge.feedback import told
     from judge.kit.console import PlainConsole
     from judge.reports.terminal import live, print_report
 
     console = PlainConsole()
-    with live(console) as events:
+    with live(console, problem.feedback) as events:
         judging = judge(submission, problem, options, events=events, search=search)
-    print_report(console, judging)
+    permitted = told(judging, problem.feedback)
+    print_report(console, permitted, explain=search is not None, verbose=asked.verbose)
     for write in reports:
-        write(judging)
+        write(permitted)
     if judging.verdict is Verdict.JE:
         return EXIT_ERROR
     return EXIT_ACCEPTED if judging.verdict is Verdict.AC else EXIT_REJECTED
@@ -108,12 +110,18 @@ def _judge(asked: argparse.Namespace, search: Search | None) -> int:
 
 def _reports(asked: argparse.Namespace) -> list[Callable[[Judging], None]]:
     """Return the functions that write the reports, after checking that their places can be used."""
+    from judge.reports.html import to_html
     from judge.reports.junit import to_junit
     from judge.reports.schema import to_json
 
     writers: list[Callable[[Judging], None]] = []
     taken = {Path(asked.submission or "-").absolute(): "the submission"}
-    for option, path, form in (("--json", asked.json, to_json), ("--junit", asked.junit, to_junit)):
+    asked_for = (
+        ("--json", asked.json, to_json),
+        ("--junit", asked.junit, to_junit),
+        ("--html", asked.html, to_html),
+    )
+    for option, path, form in asked_for:
         if path is None:
             continue
         check_place(option, path)
@@ -165,7 +173,12 @@ def _parser() -> argparse.ArgumentParser:
     add("--time-limit", type=_seconds, metavar="SECONDS", help="CPU seconds per case, not scaled")
     add("--json", type=Path, metavar="FILE", help="write the results as JSON")
     add("--junit", type=Path, metavar="FILE", help="write the results as JUnit XML")
-    add("--stop-on-first", action="store_true", help="end each group at its first failure")
+    add("--html", type=Path, metavar="FILE", help="write the results as one page to look at")
+    rest = parser.add_mutually_exclusive_group()
+    rest.add_argument("--all", action="store_true", help="run the rest of a group after a failure")
+    stop = "end each group at its first failure, as its points are all or nothing (the default)"
+    rest.add_argument("--stop-on-first", action="store_true", help=stop)
+    add("--verbose", action="store_true", help="show all that is kept of standard error")
     add("--no-wall", action="store_true", help="judge even if no wall works here")
     return parser
 
