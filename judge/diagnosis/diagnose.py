@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from judge.diagnosis.asking import Answers, Attempts, Steadiness, ask
-from judge.diagnosis.gallery import Gallery, Scene
+from judge.diagnosis.gallery import Gallery
 from judge.diagnosis.ranking import known_alike, missed_lessons, wrong_scenes
 from judge.diagnosis.shape import has_other_words, letters, remark_on
 from judge.explanation import Diagnosis, MissedLesson
@@ -93,12 +93,8 @@ def _remark(gallery: Gallery, answers: Answers) -> str:
     if whole.judgement.verdict is Verdict.AC:
         scenes = [*gallery.scenes, *(gallery.scenes[index] for index in gallery.echoes)]
         expected = "".join(scene.answer[0] for scene in scenes)
-        return remark_on(whole.output, expected, list(map(_obstacles, scenes)))
+        return remark_on(whole.output, expected, [s.obstacles for s in scenes])
     return ""
-
-
-def _obstacles(scene: Scene) -> int:
-    return int(scene.input.split()[1])
 
 
 def what_is_left(problem: Problem, cases: Sequence[CaseResult]) -> str:

@@ -51,6 +51,16 @@ class Scene(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     input: str
     made: dict[str, Any] = {}
 
+    @property
+    def obstacles(self) -> int:
+        """The number of its obstacles."""
+        return int(self.input.split(maxsplit=2)[1])
+
+    @property
+    def stands_still(self) -> bool:
+        """Whether its displacement is 0 0."""
+        return self.input.split(maxsplit=4)[2:4] == ["0", "0"]
+
 
 class SceneFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """The content of `scenes.toml`."""

@@ -9,6 +9,7 @@ from judge.diagnosis.gallery import NOT_ASKED, Gallery
 from judge.explanation import Like, MissedLesson
 
 NEAR = Fraction(4, 5)  # below it, the nearest known program misleads as often as it helps
+NO_OBSTACLES, STANDING_STILL = "no-obstacles", "standing-still"
 
 
 def missed_lessons(
@@ -20,7 +21,8 @@ def missed_lessons(
     to ignore. A scene is the more telling, the fewer ideas it takes: its weight is
     one over the number of lessons that known programs, wrong in it, miss. A lesson's weight is
     the sum over its scenes answered wrongly, divided by one more than the number of its scenes.
-    A known program that is wrong in nearly the same scenes decides first.
+    Two things decide before the weights: that it fails just the scenes without obstacles or
+    without a move, and a known program that is wrong in nearly the same scenes.
     """
     wrong = wrong_scenes(gallery, answers)
     known = {
@@ -31,7 +33,7 @@ def missed_lessons(
     lessons: dict[str, list[int]] = {}
     for index in sorted(wrong):
         lessons.setdefault(gallery.scenes[index].lesson, []).append(index)
-    first = _lessons_of_nearest(gallery, wrong, known)
+    first = _lessons_of_property(gallery, wrong) or _lessons_of_nearest(gallery, wrong, known)
     order = list(gallery.lessons)
 
     def rank(lesson: str) -> tuple[bool, Fraction, int]:
@@ -75,6 +77,20 @@ def _weight(gallery: Gallery, index: int, known: dict[str, frozenset[int]]) -> F
         if index in wrong:
             ideas |= gallery.lessons_of(name) & gallery.taught
     return Fraction(1, len(ideas))
+
+
+def _lessons_of_property(gallery: Gallery, wrong: frozenset[int]) -> frozenset[str]:
+    """Return the lesson on a property that all wrong scenes have, and nearly all with it fail."""
+    properties = {
+        NO_OBSTACLES: {i for i, scene in enumerate(gallery.scenes) if not scene.obstacles},
+        STANDING_STILL: {i for i, scene in enumerate(gallery.scenes) if scene.stands_still},
+    }
+    expected = {gallery.expected[i] for i in wrong}
+    for lesson, having in properties.items():
+        same = {i for i in having if gallery.expected[i] in expected}
+        if wrong and wrong <= having and len(wrong) >= NEAR * len(same):
+            return frozenset({lesson})
+    return frozenset()
 
 
 def _lessons_of_nearest(
