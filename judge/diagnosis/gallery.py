@@ -41,25 +41,23 @@ class Lesson(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class Scene(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """One scenario of the gallery, with its answer, in the lesson that it teaches.
 
-    input: its lines of an input file, without the number of scenarios. made: how the scenario
-    was found (see `strength.gallery`), empty if it was written by hand.
+    input: its lines of an input file, without the number of scenarios. matters: the lessons
+    whose condition it meets: a program that misses only one of the others with a condition
+    answers it correctly (see `strength.gallery.conditions`). made: how the scenario
+    was found (see `strength.gallery.pool`), empty if it was written by hand.
     """
 
     name: str
     lesson: str
     answer: str
     input: str
+    matters: frozenset[str] = frozenset()
     made: dict[str, Any] = {}
 
     @property
     def obstacles(self) -> int:
         """The number of its obstacles."""
         return int(self.input.split(maxsplit=2)[1])
-
-    @property
-    def stands_still(self) -> bool:
-        """Whether its displacement is 0 0."""
-        return self.input.split(maxsplit=4)[2:4] == ["0", "0"]
 
 
 class SceneFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -88,6 +86,15 @@ class Gallery:
     def taught(self) -> frozenset[str]:
         """The lessons that have scenes; the others show in the shape of the output."""
         return frozenset(scene.lesson for scene in self.scenes)
+
+    @cached_property
+    def conditions(self) -> Mapping[str, frozenset[int]]:
+        """By lesson, the indices of the scenes in which it matters, if it has a condition."""
+        return {
+            lesson: found
+            for lesson in self.lessons
+            if (found := frozenset(i for i, s in enumerate(self.scenes) if lesson in s.matters))
+        }
 
     @cached_property
     def echoes(self) -> tuple[int, ...]:
@@ -134,6 +141,8 @@ def _check(
             raise GalleryError(f"{where}: {LESSONS} has no lesson {scene.lesson!r}")
         if scene.answer not in (YES, NO):
             raise GalleryError(f"{where}: expected the answer YES or NO, found {scene.answer!r}")
+        if unknown := sorted(scene.matters - lessons.keys()):
+            raise GalleryError(f"{where}: {LESSONS} has no lesson {unknown[0]!r}")
         names.add(scene.name)
     for submission, answers in known.items():
         if len(answers) != len(scenes):

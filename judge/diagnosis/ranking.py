@@ -2,52 +2,50 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from judge.diagnosis.gallery import NOT_ASKED, Gallery
 from judge.explanation import Like, MissedLesson
 
 NEAR = Fraction(4, 5)  # below it, the nearest known program misleads as often as it helps
-NO_OBSTACLES, STANDING_STILL = "no-obstacles", "standing-still"
 
 
 def missed_lessons(
     gallery: Gallery, answers: str, leave_out: Iterable[str] = ()
 ) -> tuple[MissedLesson, ...]:
-    """Return the lessons of the scenes that are answered wrongly, most telling first.
+    """Return the lessons that wrong answers point to, most telling first.
 
     answers: one letter a scene: Y, N, NO_ANSWER or NOT_ASKED. leave_out: known submissions
-    to ignore. A scene is the more telling, the fewer ideas it takes: its weight is
-    one over the number of lessons that known programs, wrong in it, miss. A lesson's weight is
-    the sum over its scenes answered wrongly, divided by one more than the number of its scenes.
-    Two things decide before the weights: that it fails just the scenes without obstacles or
-    without a move, and a known program that is wrong in nearly the same scenes.
+    to ignore. A known program that is wrong in nearly the same scenes decides first. Else each
+    lesson counts by its own scenes and by its condition, if it has one. O(scenes * known).
     """
     wrong = wrong_scenes(gallery, answers)
+    ignored = frozenset(leave_out)
     known = {
         name: wrong_scenes(gallery, given)
         for name, given in gallery.known.items()
-        if name not in frozenset(leave_out)
+        if name not in ignored
     }
-    lessons: dict[str, list[int]] = {}
+    own: dict[str, list[int]] = {lesson: [] for lesson in gallery.lessons}
     for index in sorted(wrong):
-        lessons.setdefault(gallery.scenes[index].lesson, []).append(index)
-    first = _lessons_of_property(gallery, wrong) or _lessons_of_nearest(gallery, wrong, known)
+        own[gallery.scenes[index].lesson].append(index)
+    first = _lessons_of_nearest(gallery, wrong, known)
     order = list(gallery.lessons)
 
     def rank(lesson: str) -> tuple[bool, Fraction, int]:
-        scenes = sum(scene.lesson == lesson for scene in gallery.scenes)
-        weight = sum((_weight(gallery, i, known) for i in lessons[lesson]), Fraction())
-        return lesson not in first, -weight / (1 + scenes), order.index(lesson)
+        weight = _by_own_scenes(gallery, lesson, own[lesson], known)
+        weight += _by_condition(gallery, lesson, wrong)
+        return lesson not in first, -weight, order.index(lesson)
 
     return tuple(
         MissedLesson(
             lesson,
             gallery.lessons[lesson].sentence,
-            tuple(gallery.scenes[index].name for index in lessons[lesson]),
+            tuple(gallery.scenes[index].name for index in own[lesson]),
         )
-        for lesson in sorted(lessons, key=rank)
+        for lesson in sorted(order, key=rank)
+        if own[lesson]
     )
 
 
@@ -71,30 +69,37 @@ def known_alike(gallery: Gallery, answers: str) -> Like | None:
     return None
 
 
-def _weight(gallery: Gallery, index: int, known: dict[str, frozenset[int]]) -> Fraction:
-    ideas = {gallery.scenes[index].lesson}
-    for name, wrong in known.items():
-        if index in wrong:
-            ideas |= gallery.lessons_of(name) & gallery.taught
-    return Fraction(1, len(ideas))
+def _by_own_scenes(
+    gallery: Gallery, lesson: str, failed: Iterable[int], known: Mapping[str, frozenset[int]]
+) -> Fraction:
+    """Weigh the scenes of a lesson that are wrong: the fewer ideas a scene takes, the more.
+
+    The ideas of a scene are the lessons missed by the known programs that are wrong in it.
+    """
+    weight = Fraction()
+    for index in failed:
+        ideas = {lesson}
+        for name, wrong in known.items():
+            if index in wrong:
+                ideas |= gallery.lessons_of(name) & gallery.taught
+        weight += Fraction(1, len(ideas))
+    return weight / (1 + sum(scene.lesson == lesson for scene in gallery.scenes))
 
 
-def _lessons_of_property(gallery: Gallery, wrong: frozenset[int]) -> frozenset[str]:
-    """Return the lesson on a property that all wrong scenes have, and nearly all with it fail."""
-    properties = {
-        NO_OBSTACLES: {i for i, scene in enumerate(gallery.scenes) if not scene.obstacles},
-        STANDING_STILL: {i for i, scene in enumerate(gallery.scenes) if scene.stands_still},
-    }
-    expected = {gallery.expected[i] for i in wrong}
-    for lesson, having in properties.items():
-        same = {i for i in having if gallery.expected[i] in expected}
-        if wrong and wrong <= having and len(wrong) >= NEAR * len(same):
-            return frozenset({lesson})
-    return frozenset()
+def _by_condition(gallery: Gallery, lesson: str, wrong: frozenset[int]) -> Fraction:
+    """Compare the wrong scenes with those in which a lesson matters: from -1 to 1.
+
+    1: the same scenes; 0 also for a lesson without a condition; -1: none in common.
+    """
+    matters = gallery.conditions.get(lesson)
+    if not matters or not wrong:
+        return Fraction()
+    alike = Fraction(len(wrong & matters), len(wrong | matters))
+    return alike - Fraction(len(wrong - matters), len(wrong))
 
 
 def _lessons_of_nearest(
-    gallery: Gallery, wrong: frozenset[int], known: dict[str, frozenset[int]]
+    gallery: Gallery, wrong: frozenset[int], known: Mapping[str, frozenset[int]]
 ) -> frozenset[str]:
     """Return the lessons of the known program that is wrong in nearly the same scenes, if any."""
     nearest, best = "", Fraction(0)

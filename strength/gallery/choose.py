@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from gen.scenario import render
 from judge.diagnosis.gallery import NO, YES, Lesson, Scene
+from strength.gallery.conditions import conditions_of
 from strength.gallery.pool import Candidate
 
 PER_SUBMISSION = 2
@@ -67,5 +68,7 @@ def _named(
         for number, index in enumerate(sorted(own, key=lambda i: pool[i].size), 1):
             text = render([pool[index].scenario]).decode().partition("\n")[2]
             answer = YES if right[index] == "Y" else NO
-            scenes.append(Scene(f"{lesson}-{number}", lesson, answer, text, pool[index].made))
+            matters = conditions_of(pool[index].scenario) & lessons.keys()
+            name = f"{lesson}-{number}"
+            scenes.append(Scene(name, lesson, answer, text, matters, pool[index].made))
     return scenes

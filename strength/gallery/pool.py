@@ -14,6 +14,7 @@ from stress.chance import random_scenarios
 MOST_OBSTACLES, MOST_VERTICES = 2, 10
 RANDOM_SEED, RANDOM_SCENARIOS = 1, 40_000
 REPEATS = (1, 2)
+SCALE, SCALED_SCENARIOS = 30_011, 4_000  # coordinates beyond 16 bits, products beyond 32
 VERTICES = 9_000  # of the file that a family makes: some 1,500 scenarios
 
 # Families, with parameters that make scenarios small enough, and the files of precision.
@@ -67,7 +68,8 @@ def remade(made: dict[str, Any]) -> Scenario:
     """Return the scenario that a scene's `made` describes."""
     number: int = made["scenario"] - 1
     if "seed" in made:
-        return next(islice(random_scenarios(made["seed"], RANDOM_SCENARIOS), number, None))
+        found = next(islice(random_scenarios(made["seed"], RANDOM_SCENARIOS), number, None))
+        return _scaled(found, made.get("scale", 1))
     return parse(render_family(made["family"], made["parameters"], made["repeat"]))[number]
 
 
@@ -79,4 +81,15 @@ def _all() -> Iterator[Candidate]:
                 made = {"family": family, "parameters": full, "repeat": repeat, "scenario": number}
                 yield Candidate(scenario, made)
     for number, scenario in enumerate(random_scenarios(RANDOM_SEED, RANDOM_SCENARIOS), 1):
-        yield Candidate(scenario, {"seed": RANDOM_SEED, "scenario": number})
+        made = {"seed": RANDOM_SEED, "scenario": number}
+        yield Candidate(scenario, made)
+        if number <= SCALED_SCENARIOS:
+            yield Candidate(_scaled(scenario, SCALE), {**made, "scale": SCALE})
+
+
+def _scaled(scenario: Scenario, by: int) -> Scenario:
+    robot, *obstacles = (
+        [(by * x, by * y) for x, y in polygon] for polygon in (scenario.robot, *scenario.obstacles)
+    )
+    dx, dy = scenario.move
+    return Scenario(robot, (by * dx, by * dy), obstacles)

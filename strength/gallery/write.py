@@ -13,7 +13,8 @@ from judge.kit.files import write_whole
 
 HEAD = """\
 # The scenes of the gallery: the choice of `python -m strength gallery --choose`, as data. `made`
-# tells how each was made; the scenario is reproduced from it. Lessons are in lessons.toml.
+# tells how each was made; the scenario is reproduced from it. `matters` names the lessons whose
+# condition it meets. Lessons are in lessons.toml.
 """
 
 
@@ -40,6 +41,8 @@ def save_answers(directory: Path, known: Mapping[str, str]) -> None:
 def _scene(scene: Scene) -> str:
     lines = ["", "[[scenes]]"]
     lines += [f'{key} = "{getattr(scene, key)}"' for key in ("name", "lesson", "answer")]
+    if scene.matters:
+        lines.append(f"matters = {_value(sorted(scene.matters))}")
     if scene.made:
         lines.append(f"made = {_table(scene.made)}")
     return "\n".join([*lines, f'input = """\n{scene.input}"""', ""])
@@ -52,4 +55,6 @@ def _table(table: Mapping[str, Any]) -> str:
 def _value(value: Any) -> str:
     if isinstance(value, dict):
         return _table(value)
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_value, value)) + "]"
     return f'"{value}"' if isinstance(value, str) else str(value)

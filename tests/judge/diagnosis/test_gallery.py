@@ -2,7 +2,6 @@
 
 import io
 
-import msgspec
 import pytest
 
 from gen.scenario import parse
@@ -23,6 +22,7 @@ from judge.kit.paths import BRUTE_FORCE, REFERENCE
 from judge.kit.trusted import python_command, read_answers, run_trusted
 from judge.problem.declaration import load
 from judge.sandbox.sandbox import Sandbox
+from strength.gallery.conditions import conditions_of
 from strength.gallery.measure import faults, measure, steady_answers
 from strength.gallery.pool import MOST_OBSTACLES, MOST_VERTICES, remade
 from strength.gallery.programs import each, faulty_submissions
@@ -63,10 +63,8 @@ def test_every_scene_is_valid_and_tiny():
     for scene, scenario in zip(SHIPPED.scenes, parse(input_file(SHIPPED.scenes)), strict=True):
         assert len(scenario.obstacles) <= MOST_OBSTACLES, scene.name
         assert scenario.vertices <= MOST_VERTICES, scene.name
-        assert (scene.obstacles, scene.stands_still) == (
-            len(scenario.obstacles),
-            scenario.move == (0, 0),
-        )
+        assert scene.obstacles == len(scenario.obstacles)
+        assert scene.matters == conditions_of(scenario) & SHIPPED.lessons.keys(), scene.name
 
 
 @pytest.mark.parametrize("solver", [REFERENCE, BRUTE_FORCE], ids=lambda path: path.name)
@@ -133,25 +131,39 @@ def test_a_program_that_answers_like_a_known_one_is_told_its_bug():
     assert known_alike(SHIPPED, given[:index] + other + given[index + 1 :]) is None
 
 
-def test_the_lessons_of_a_property_come_first():
+def test_a_lesson_whose_condition_all_wrong_scenes_meet_comes_before_one_where_some_do_not():
     lessons = {"inside": Lesson("Inside."), "standing-still": Lesson("Still.")}
-    still = "3 1\n0 0\n"
-    scenes = [
-        msgspec.convert(
-            {"name": f"s{i}", "lesson": lesson, "answer": NO, "input": text}, type=Scene
-        )
-        for i, (lesson, text) in enumerate(
-            [
-                ("inside", still),
-                ("inside", still),
-                ("standing-still", still),
-                ("inside", "3 1\n1 0\n"),
-            ]
-        )
-    ]
-    gallery = Gallery(lessons, tuple(scenes), {})
+    still = frozenset({"standing-still"})
+    scenes = (
+        Scene("a", "inside", NO, "3 1\n0 0\n", still),
+        Scene("b", "inside", NO, "3 1\n0 0\n", still),
+        Scene("c", "standing-still", NO, "3 1\n0 0\n", still),
+        Scene("d", "inside", NO, "3 1\n1 0\n"),
+    )
+    gallery = Gallery(lessons, scenes, {})
     assert [one.id for one in missed_lessons(gallery, "YYYN")] == ["standing-still", "inside"]
-    assert [one.id for one in missed_lessons(gallery, "YYYY")] == ["inside", "standing-still"]
+    assert [one.id for one in missed_lessons(gallery, "NYNY")] == ["inside"]
+
+
+@pytest.mark.parametrize(
+    ("text", "lessons"),
+    [
+        ("3 0 0 0 0 0 1 0 0 1", {"no-obstacles", "standing-still", "lowest-tie"}),
+        # the robot's right corner runs against the middle of an upright edge, at the very end
+        (
+            "3 1 2 0 0 0 2 1 0 2 3 4 -1 6 0 4 3",
+            {"displacement", "touch", "touch-at-end", "corners-of-both"},
+        ),
+        # a small robot inside a large triangle
+        (
+            "3 1 0 0 1 1 2 1 1 2 3 0 0 9 0 0 9",
+            {"standing-still", "overlap-at-start", "robot-inside", "lowest-tie", "parallel-edges"},
+        ),
+    ],
+)
+def test_conditions_of_scenes_that_were_thought_through(text, lessons):
+    (scenario,) = parse(f"1 {text}".encode())
+    assert conditions_of(scenario) == lessons
 
 
 @pytest.mark.parametrize(
