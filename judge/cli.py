@@ -81,6 +81,8 @@ def _judge(asked: argparse.Namespace, search: Search | None) -> int:
     from judge.problem.verdict import Verdict
 
     problem = load()
+    if asked.make_answers:
+        _make_answers(asked.data)
     submission = _submission(asked)
     reports = _reports(asked)
     options = Options(
@@ -106,6 +108,16 @@ def _judge(asked: argparse.Namespace, search: Search | None) -> int:
     if judging.verdict is Verdict.JE:
         return EXIT_ERROR
     return EXIT_ACCEPTED if judging.verdict is Verdict.AC else EXIT_REJECTED
+
+
+def _make_answers(directory: Path | None) -> None:
+    from judge.problem.given import make_answers
+    from judge.reports.words import shown
+
+    if directory is None:
+        raise UsageError("--make-answers: expected --data DIR, too")
+    for path in make_answers(directory.resolve()):
+        print(f"answered by the reference: {shown(path)}")
 
 
 def _reports(asked: argparse.Namespace) -> list[Callable[[Judging], None]]:
@@ -169,6 +181,8 @@ def _parser() -> argparse.ArgumentParser:
     add("--group", action="append", default=[], metavar="NAME", help="only this group; repeatable")
     add("--case", action="append", default=[], metavar="GLOB", help="only these cases; repeatable")
     add("--data", type=Path, metavar="DIR", help="use the .in/.ans pairs of this directory")
+    answers = "let the reference write the .ans files that are missing in --data DIR"
+    add("--make-answers", action="store_true", help=answers)
     add_jobs(parser, cores(), "runs")
     add("--time-limit", type=_seconds, metavar="SECONDS", help="CPU seconds per case, not scaled")
     add("--json", type=Path, metavar="FILE", help="write the results as JSON")
