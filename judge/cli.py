@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 EXIT_ACCEPTED, EXIT_REJECTED, EXIT_ERROR = 0, 1, FAILED
 
+EXPLAIN = "--explain looks for a smallest input that it gets wrong"
+
 EXAMPLES = """\
 examples:
   ./checker.py submissions/accepted/textbook.py
@@ -70,13 +72,16 @@ def _command(arguments: Sequence[str] | None, make_search: MakeSearch | None) ->
     if asked.submission is None and sys.stdin.isatty():
         parser.print_help()
         return EXIT_ERROR
-    search = make_search(asked.seed) if make_search is not None and asked.explain else None
-    return _judge(asked, search)
+    if make_search is None:
+        return _judge(asked, None, "")
+    if not asked.explain:
+        return _judge(asked, None, EXPLAIN)
+    return _judge(asked, make_search(asked.seed), "")
 
 
-def _judge(asked: argparse.Namespace, search: Search | None) -> int:
+def _judge(asked: argparse.Namespace, search: Search | None, hint: str) -> int:
     # Imported here, so that help and usage errors appear at once.
-    from judge.judging import Options, judge
+    from judge.judging import UNEXPLAINED, Options, judge
     from judge.problem.declaration import load
     from judge.problem.verdict import Verdict
 
@@ -102,7 +107,8 @@ def _judge(asked: argparse.Namespace, search: Search | None) -> int:
     with live(console, problem.feedback) as events:
         judging = judge(submission, problem, options, events=events, search=search)
     permitted = told(judging, problem.feedback)
-    print_report(console, permitted, explain=search is not None, verbose=asked.verbose)
+    said = hint if problem.feedback.counterexample and judging.verdict not in UNEXPLAINED else ""
+    print_report(console, permitted, explain=search is not None, verbose=asked.verbose, hint=said)
     for write in reports:
         write(permitted)
     if judging.verdict is Verdict.JE:
