@@ -63,11 +63,17 @@ def case_line(result: CaseResult) -> Text:
 
 
 def print_report(
-    console: Console, judging: Judging, *, explain: bool = False, verbose: bool = False
+    console: Console,
+    judging: Judging,
+    *,
+    explain: bool = False,
+    verbose: bool = False,
+    hint: str = "",
 ) -> None:
     """Print the end of a judging: the table of groups, why it failed, limits, verdict.
 
-    explain: all missed lessons. verbose: all that is kept of standard error.
+    explain: all missed lessons. verbose: all that is kept of standard error. hint: what else
+    can be asked about a failure.
     """
     if judging.verdict is Verdict.CE:
         console.print(Text("does not compile:", style=COLOURS[Verdict.CE]))
@@ -77,6 +83,8 @@ def print_report(
     if failure := judging.first_failure:
         verdict = verdict_text(failure.verdict)
         print_explained(console, judging, verdict, explain=explain, verbose=verbose)
+        if hint:
+            console.print(Text(hint, style="dim"), soft_wrap=True)
     if changed := changed_line(judging):
         console.print(Text(changed, style="yellow"), soft_wrap=True)
     console.print(Text(f"limits: {limits_line(judging)}", style="dim"), soft_wrap=True)

@@ -13,8 +13,10 @@ import pytest
 from rich.console import Console
 from rich.text import Text
 
+from judge.cli import main
 from judge.compare import Mismatch
 from judge.explanation import Counterexample, Diagnosis, Like, MissedLesson
+from judge.judging import Search
 from judge.kit.paths import DATA
 from judge.problem.cases import Case, case_at
 from judge.problem.verdict import Verdict
@@ -165,6 +167,7 @@ def test_the_command_that_draws_works_in_any_directory_and_shell(
     done = checker(source("yes.py", "print('YES\\n' * 9)\n"), "--case", "sample/03*")
     command = re.search(r"^  see it (.*)$", done.stdout, re.MULTILINE)
     assert command is not None, done.stdout
+    assert str(DATA / "sample/03-touch.in") in command[1]
     elsewhere = tmp_path / "else where"
     elsewhere.mkdir()
     shell = ["/bin/sh", "-c", command[1]]
@@ -176,4 +179,33 @@ def test_the_command_that_draws_works_in_any_directory_and_shell(
         pytest.skip("`pictures show` has no -o yet")
     assert drawn.returncode == 0, drawn.stderr
     assert (elsewhere / "scene.svg").read_text().startswith("<?xml")
-    assert str(DATA / "sample/03-touch.in") in command[1]
+
+
+def test_a_search_is_offered_and_its_result_told(
+    source: Source, data: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The command line with a search: what it finds stands in every report."""
+    monkeypatch.setattr("judge.cli.signal.signal", lambda *_: None)
+    seeds: list[int | None] = []
+
+    def make_search(seed: int | None) -> Search:
+        seeds.append(seed)
+        return lambda _failure: EXAMPLE
+
+    report, page = data.parent / "report.json", data.parent / "report.html"
+    command = [str(source("yes.py", "print('YES')\n")), "--data", str(data), "--no-wall"]
+    assert main(command, make_search) == 1
+    offered = capsys.readouterr().out
+    assert "--explain looks for a smallest input" in offered
+    assert EXAMPLE.sentence not in offered
+    reports = ["--json", str(report), "--html", str(page)]
+    assert main([*command, "--explain", "--seed", "7", *reports], make_search) == 1
+    told = capsys.readouterr().out
+    assert "--explain looks" not in told
+    assert EXAMPLE.sentence in told
+    assert EXAMPLE.sentence in report.read_text()
+    assert EXAMPLE.sentence in page.read_text().replace("&#39;", "'")
+    assert seeds == [7]
+    right = [str(source("echo.py", "print(open(0).read())\n")), *command[1:]]
+    assert main(right, make_search) == 0
+    assert "--explain" not in capsys.readouterr().out

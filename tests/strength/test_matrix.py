@@ -16,7 +16,7 @@ from judge.problem.verdict import Verdict
 from judge.sandbox.sandbox import Sandbox
 from strength.analysis import analyse
 from strength.cli import _matrix_command
-from strength.order import telling_order
+from strength.order import _ordered, telling_order
 from strength.page import page
 from strength.show import as_json
 from strength.table import Matrix, Row, build
@@ -168,6 +168,8 @@ def test_the_order_of_judging_takes_what_kills_most_for_its_cost():
     ]
     costly = sizes | {"secret/small/1": 10_000_000}
     assert telling_order(matrix, costly)[:2] == ["secret/small/2", "secret/small/1"]
+    three = {"x": {"a", "b"}, "y": {"a", "b"}, "z": {"c"}}
+    assert list(_ordered(list(three), three, dict.fromkeys(three, 10))) == ["x", "z", "y"]
     again = made(a=[WA, WA, AC, WA], b=[WA, AC, AC, AC], c=[WA, WA, AC, WA])
     assert telling_order(again, sizes)[2:] == ["secret/large/2", "secret/large/1"]
     with pytest.raises(SubmissionError, match="--order: expected all submissions"):
