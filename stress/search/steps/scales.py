@@ -12,7 +12,16 @@ from gen.scenario import Scenario
 from stress.search.steps.polygons import numbered, of_polygons, polygons, with_polygon
 
 # numerator, denominator
-FACTORS = ((1, 1_000_000), (1, 30_000), (1, 1_000), (1, 100), (1, 30), (1, 10), (1, 7), (1, 5))
+FACTORS: tuple[tuple[int, int], ...] = (
+    (1, 1_000_000),
+    (1, 30_000),
+    (1, 1_000),
+    (1, 100),
+    (1, 30),
+    (1, 10),
+    (1, 7),
+    (1, 5),
+)
 FACTORS += ((1, 4), (1, 3), (1, 2), (2, 3), (3, 4), (7, 8), (15, 16), (31, 32), (63, 64))
 FACTORS += ((255, 256), (1023, 1024), (8191, 8192))
 MOST_VERTICES = 8
