@@ -18,6 +18,7 @@ from judge.machine import kept_scale
 from judge.pool import Job, Pending, Pool, Ready
 from judge.problem.data import Data, load_data
 from judge.problem.declaration import Problem
+from judge.problem.order import judging_order
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging, Scale, first_failure, group_results, not_run
 from judge.run import Attempt
@@ -36,6 +37,8 @@ class Options:
     """What to judge on, and how. Empty groups or globs: all.
 
     time_limit_s: replaces the declared limit, and is not scaled to this machine.
+    stop_on_first: a group ends at its first failure, as its points are all or nothing; False:
+    every case is run.
     no_wall: if no wall works, run even programs that are not the kit's own.
     """
 
@@ -44,7 +47,7 @@ class Options:
     globs: tuple[str, ...] = ()
     jobs: int = 1
     time_limit_s: float | None = None
-    stop_on_first: bool = False
+    stop_on_first: bool = True
     no_wall: bool = False
 
 
@@ -109,12 +112,13 @@ def judge(
         compiling = pool.prepare()  # goes on while the data is checked
         data = load_data(problem, options.data, options.groups, options.globs, store)
         time_limit = _TimeLimit(problem, options.time_limit_s, pool, events)
+        cases = judging_order(options.data, data.chosen)
         ready = _ready(pool, compiling, submission)
         results: list[CaseResult] = []
         if not ready.compile_error:
-            events.start(len(data.chosen))
+            events.start(len(cases))
             for result in pool.in_order(
-                data.chosen,
+                cases,
                 time_limit.limits,
                 stop_on_first=options.stop_on_first,
                 limits_here=time_limit.limits_here,
@@ -125,6 +129,8 @@ def judge(
                 declared = replace(time_limit.limits, time_limit_s=time_limit.declared_s)
                 kept = KeptVerdicts(store, submission, declared, data.manifest)
                 kept.keep({r.case.name: r.verdict for r in results if r.verdict is not None})
+        else:
+            results = [not_run(case, "does not compile") for case in cases]
         judging = _judging(submission, problem, data, time_limit, results, ready)
         if search is None or judging.verdict in UNEXPLAINED or not problem.feedback.counterexample:
             return judging
@@ -148,9 +154,7 @@ def _judging(
     results: list[CaseResult],
     ready: Ready,
 ) -> Judging:
-    """Return the whole judging; `results` are used only if the submission compiles."""
-    if ready.compile_error:
-        results = [not_run(case, "does not compile") for case in data.chosen]
+    """Return the whole judging."""
     groups = group_results(problem, data.all, results)
     if ready.compile_error:
         groups = tuple(replace(group, verdict=Verdict.CE, score=0) for group in groups)

@@ -31,7 +31,9 @@ class CaseResult:
 
     mismatch: for WA, the first difference. retried: it was over the declared
     time limit, and was repeated under that of this machine, which is slower; first_verdict: of
-    the first of these two runs, if it differs.
+    the first of these two runs, if it differs. stderr: what is kept of the standard error of a
+    program that is not accepted, as printable lines. withheld: the case's files and its
+    message may not be told; `case.name` is then only a number in its group.
     """
 
     case: Case
@@ -43,6 +45,8 @@ class CaseResult:
     retried: bool = False
     first_verdict: Verdict | None = None
     mismatch: Mismatch | None = None
+    stderr: str = ""
+    withheld: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +69,7 @@ class GroupResult:
 
 @dataclass(frozen=True, slots=True)
 class Judging:
-    """All runs of one submission, in the order of the cases.
+    """All runs of one submission, in the order of judging.
 
     time_limit_s: the limit that held; declared_s: the one of problem.toml; scale: how many
     times slower than the calibrating machine this one is, and where that figure comes from,

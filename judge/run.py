@@ -29,7 +29,7 @@ class Attempt:
 def run_input(sandbox: Sandbox, program: Program, limits: RunLimits, content: bytes) -> Attempt:
     """Run a program on the text of an input file and return its output. Raises SandboxError."""
     try:
-        with _scratch(sandbox, "input-") as given, _scratch(sandbox, "output-") as output:
+        with _scratch(sandbox, "stdin") as given, _scratch(sandbox, "stdout") as output:
             given.write_bytes(content)
             facts = sandbox.run(program.command, limits, stdin=given, stdout=output)
             found = output.read_bytes()
@@ -40,10 +40,10 @@ def run_input(sandbox: Sandbox, program: Program, limits: RunLimits, content: by
 
 
 @contextmanager
-def _scratch(sandbox: Sandbox, prefix: str) -> Iterator[Path]:
+def _scratch(sandbox: Sandbox, name: str) -> Iterator[Path]:
     """Yield the path of a scratch file in a directory of its own; remove both afterwards."""
-    directory = sandbox.new_directory(prefix)
-    file = directory / "file"
+    directory = sandbox.new_directory("output-" if name == "stdout" else "input-")
+    file = directory / name
     try:
         yield file
     finally:
@@ -55,7 +55,7 @@ def _scratch(sandbox: Sandbox, prefix: str) -> Iterator[Path]:
 def run_case(sandbox: Sandbox, program: Program, limits: RunLimits, case: Case) -> CaseResult:
     """Run a program on one test case and judge it. A fault of the machine is JE."""
     try:
-        with _scratch(sandbox, "output-") as output:
+        with _scratch(sandbox, "stdout") as output:
             facts = sandbox.run(program.command, limits, stdin=case.input, stdout=output)
             with output.open("rb") as found, case.answer.open("rb") as expected:
                 mismatch = compare(found, expected)
@@ -73,4 +73,5 @@ def run_case(sandbox: Sandbox, program: Program, limits: RunLimits, case: Case) 
         round(facts.memory_mib, 2),
         judgement.message,
         mismatch=mismatch if judgement.verdict is Verdict.WA else None,
+        stderr="" if judgement.verdict is Verdict.AC else program.shown(facts.stderr),
     )
