@@ -78,7 +78,7 @@ class Failure:
     say: Callable[[str], None]
 
 
-Search = Callable[[Failure], Counterexample | None]  # raises KitError
+Search = Callable[[Failure], Counterexample | str]  # or why there is none; raises KitError
 
 
 def judge(
@@ -143,7 +143,10 @@ def judge(
             options.jobs,
             events.phase,
         )
-        return replace(judging, counterexample=search(failure))
+        found = search(failure)
+        if isinstance(found, str):
+            return replace(judging, unexplained=found)
+        return replace(judging, counterexample=found)
 
 
 def _judging(

@@ -15,7 +15,7 @@ TINY_FILES = (300, 2_000, 4_000)  # scenarios: most wrong programs fail in the f
 LARGER_FILES = 10_000
 TINY_IN_LARGER = 9_000  # the others are from families, which are slower
 MOST = {"scenarios": 40, "vertices": 1_000}  # of a family at a time
-NOT_DRAWN = ("world",)  # it enumerates, and its scenes are like the tiny ones
+NOT_DRAWN = (HAND_MADE, "world")  # the world enumerates; its scenes are like the tiny ones
 GROUPS = ("static", "small")  # whose recipes make small scenes
 
 
@@ -38,18 +38,16 @@ def larger_files(seed: int) -> Iterator[list[Scenario]]:
 
 def of_families(rng: Rng) -> Iterator[Scenario]:
     """Yield scenarios without end, made as the plan's small test cases are, from other seeds."""
-    recipes = [
-        r for r in load_plan() if r.group in GROUPS and r.family not in (HAND_MADE, *NOT_DRAWN)
-    ]
+    planned = [recipe for recipe in load_plan() if recipe.group in GROUPS]
+    recipes = [recipe for recipe in planned if recipe.family not in NOT_DRAWN]
     while True:
         recipe = rng.choice(recipes)
         family = find(recipe.family)
         fewer = {name: most for name, most in MOST.items() if name in family.domains}
         parameters = family.resolve({**recipe.parameters, **fewer})
+        made = family.make(Rng(rng.below(1 << 60)), **parameters)
         vertices = 0
-        for scenario in islice(
-            family.make(Rng(rng.below(1 << 60)), **parameters), MOST["scenarios"]
-        ):
+        for scenario in islice(made, MOST["scenarios"]):
             yield scenario
             vertices += scenario.vertices
             if vertices > MOST["vertices"]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import replace
 from pathlib import Path
 
 from gen.answers import agreed
@@ -11,6 +10,7 @@ from gen.scenario import render
 from judge.explanation import Counterexample
 from judge.kit.files import write_whole
 from judge.kit.paths import BUILD
+from pictures.words import sentence
 from stress.search.trial import Trial
 
 COUNTEREXAMPLES = BUILD / "counterexamples"
@@ -34,7 +34,7 @@ def counterexample(
         scenarios=len(trial.scenarios),
         obstacles=len(last.obstacles),
         vertices=last.vertices,
-        sentence="",
+        sentence=sentence(last),
         picture="",
         file=keep(content),
         seconds=seconds,

@@ -35,9 +35,14 @@ DEPENDS = "its answer to a scenario depends on the scenarios before it"
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """What a search found. remark: why there is no counterexample. answered: correctly."""
+    """What a search found.
+
+    failed: the program failed on something. remark: why there is no counterexample. answered:
+    how many scenarios were answered correctly.
+    """
 
     counterexample: Counterexample | None
+    failed: bool
     remark: str
     answered: int
 
@@ -61,9 +66,9 @@ def search(
     for failed in _failing(subject, failures, seed, Clock(drawing_s), say, only_slow=only_slow):
         found = _shrunk(subject, failed, seed, began, say)
         if isinstance(found, Counterexample):
-            return Result(found, "", subject.answered)
-        return Result(None, found, subject.answered)
-    return Result(None, ONLY_SIZE if only_slow else NOTHING_FAILS, subject.answered)
+            return Result(found, True, "", subject.answered)
+        return Result(None, True, found, subject.answered)
+    return Result(None, only_slow, ONLY_SIZE if only_slow else NOTHING_FAILS, subject.answered)
 
 
 def _failing(

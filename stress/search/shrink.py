@@ -94,12 +94,12 @@ def first_failing(
             return candidates[trial.wrong[0]]
     for file in _growing(candidates):
         while file:
-            trial = shortest_failing_prefix(subject, file)
-            if trial is None:
+            shortest = shortest_failing_prefix(subject, file)
+            if shortest is None:
                 break
-            if trial.verdict is verdict:
-                return trial.scenarios[-1]
-            file = file[len(trial.scenarios) :]
+            if shortest.verdict is verdict:
+                return shortest.scenarios[-1]
+            file = file[len(shortest.scenarios) :]
     return None
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import chain
+from itertools import chain, pairwise
 
 from gen.rng import Rng
 from gen.scenario import Scenario
@@ -36,5 +36,5 @@ def _scenario(numbers: list[int], sizes: list[int]) -> Scenario:
     ends = [1]
     for size in sizes:
         ends.append(ends[-1] + size)
-    found = [points[start:end] for start, end in zip(ends, ends[1:], strict=False)]
+    found = [points[start:end] for start, end in pairwise(ends)]
     return of_polygons(found, points[0])

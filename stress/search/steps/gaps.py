@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import chain
+from itertools import chain, islice, pairwise
 
 from gen.geometry import Point, Polygon
 from gen.rng import Rng
@@ -18,7 +18,7 @@ def narrower_gaps(scenario: Scenario, _rng: Rng) -> Iterator[Scenario]:
     found = polygons(scenario)
     for axis in (0, 1):
         values = sorted({vertex[axis] for vertex in chain(*found)})
-        for low, high in list(zip(values, values[1:], strict=False))[:MOST_GAPS]:
+        for low, high in islice(pairwise(values), MOST_GAPS):
             for by in sorted({high - low, high - low - 1, (high - low) // 2, 1} - {0}):
                 closer = [_closer(polygon, axis, high, by) for polygon in found]
                 for change in (0, -by, by):

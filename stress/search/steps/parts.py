@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 MOST_PARTS = 64
 
@@ -18,7 +19,7 @@ def parts(n: int, least: int = 0) -> Iterator[list[int]]:
     while n > 1:
         pieces = min(pieces, n)
         ends = [n * i // pieces for i in range(pieces + 1)]
-        for start, end in zip(ends, ends[1:], strict=False):
+        for start, end in pairwise(ends):
             if end - start >= least:
                 yield list(range(start, end))
             if pieces > 2 and n - (end - start) >= least:

@@ -1,4 +1,4 @@
-"""Polygons replaced by simple triangles and squares, at one of their vertices or as wide as they are."""
+"""Polygons replaced by their boxes, and by triangles: small ones, or as wide as they are."""
 
 from __future__ import annotations
 
