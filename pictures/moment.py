@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 
 from gen.geometry import Point
-from gen.scenario import Scenario
+from gen.scenario import Box, Scenario
 from pictures.exact.extremes import Extremes
 from pictures.exact.meeting import ExactPoint, Feature, facing, overlap_witness
 from pictures.exact.pair import Gap, Touch
-from pictures.exact.search import search
+from pictures.exact.pause import collector_paused
+from pictures.exact.search import box, search
 from pictures.exact.within import lies_within
 
 
@@ -71,12 +73,15 @@ class Approach:
     point: ExactPoint
 
 
-def decisive(scenario: Scenario) -> Contact | Approach | None:
+def decisive(scenario: Scenario, boxes: Sequence[Box] | None = None) -> Contact | Approach | None:
     """Return why the answer is what it is; None if there is no obstacle.
 
-    Exact. O(m + n), and a few steps of O(log m + log n) for each obstacle near the way.
+    boxes: those of the obstacles, if they are known. Exact. O(m + n), and a few steps of
+    O(log m + log n) for each obstacle near the way.
     """
-    found = search(scenario)
+    with collector_paused():
+        boxes = boxes or [box(obstacle) for obstacle in scenario.obstacles]
+        found = search(scenario, boxes)
     if found is None:
         return None
     if isinstance(found.event, Touch):

@@ -109,7 +109,9 @@ def shown(value: Fraction) -> str:
     ('7/2', '≈ 124999998.8734')
     """
     exact = str(value)
-    return exact if len(exact) <= EXACT_CHARS else f"≈ {float(value):.4f}"
+    if len(exact) <= EXACT_CHARS:
+        return exact
+    return f"≈ {float(value):.4f}".rstrip("0").removesuffix(".")
 
 
 def distance(squared: Fraction) -> str:
@@ -134,9 +136,9 @@ def approximate_root(squared: Fraction) -> str:
     """Return the root of a fraction, rounded.
 
     >>> approximate_root(Fraction(1, 5)), approximate_root(Fraction(1, 10**17))
-    ('0.447', '3.16e-09')
+    ('0.447', '3.16e-9')
     >>> approximate_root(Fraction(2 * 10**12))
     '1,414,214'
     """
     root = sqrt(squared)  # rounded anyway
-    return f"{root:,.0f}" if root >= 1000 else f"{root:.{DIGITS}g}"
+    return f"{root:,.0f}" if root >= 1000 else f"{root:.{DIGITS}g}".replace("e-0", "e-")

@@ -111,25 +111,25 @@ def check(scenario):
 @pytest.mark.parametrize("small", [0, extremes.SMALL])  # 0: also triangles are searched
 def test_random_scenarios(monkeypatch, small):
     monkeypatch.setattr(extremes, "SMALL", small)
-    for scenario in random_scenarios(small, 500):
+    for scenario in random_scenarios(small, 250):
         check(scenario)
 
 
 @pytest.mark.slow
 def test_many_random_scenarios():
-    for scenario in random_scenarios(99, 8000):
+    for scenario in random_scenarios(99, 5000):
         check(scenario)
 
 
 def test_the_answers_of_the_brute_force():
-    for scenario in random_scenarios(5, 4000):
+    for scenario in random_scenarios(5, 2000):
         hit = any(brute.collide(scenario.robot, q, *scenario.move) for q in scenario.obstacles)
         assert isinstance(decisive(scenario), Contact) == hit
 
 
 def test_with_a_sieve_for_many_obstacles(monkeypatch):
     monkeypatch.setattr(search, "SIEVE_FROM", 0)
-    crowd = [s for s in random_scenarios(11, 2500) if s.obstacles]
+    crowd = [s for s in random_scenarios(11, 1000) if s.obstacles]
     for i in range(0, len(crowd) - 20, 20):
         shapes = [q for scenario in crowd[i : i + 20] for q in scenario.obstacles]
         far = [translated(q, (9 * j % 80 - 40, 15 - j % 31)) for j, q in enumerate(shapes)]
