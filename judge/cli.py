@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from judge.languages.submission import Submission
     from judge.results import Judging
 
-    MakeSearch = Callable[[int | None], Search]
+    MakeSearch = Callable[[int | None, bool], Search]
 
 EXIT_ACCEPTED, EXIT_REJECTED, EXIT_ERROR = 0, 1, FAILED
 
@@ -49,7 +49,7 @@ def main(arguments: Sequence[str] | None = None, make_search: MakeSearch | None 
     """Judge as the arguments say and return the exit status.
 
     make_search: returns the search for a counterexample that repeats a seed, or one with a new
-    seed for None. Without it there is no --explain.
+    seed for None; the flag: add what it finds to the data. Without it there is no --explain.
     """
     signal.signal(signal.SIGTERM, _interrupt)
     signal.signal(signal.SIGHUP, _interrupt)
@@ -76,7 +76,7 @@ def _command(arguments: Sequence[str] | None, make_search: MakeSearch | None) ->
         return _judge(asked, None, "")
     if not asked.explain:
         return _judge(asked, None, EXPLAIN)
-    return _judge(asked, make_search(asked.seed), "")
+    return _judge(asked, make_search(asked.seed, asked.add), "")
 
 
 def _judge(asked: argparse.Namespace, search: Search | None, hint: str) -> int:
@@ -209,6 +209,9 @@ def _add_search(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--seed", type=whole_number(0), metavar="N", help="--explain: search as the seed N did"
+    )
+    parser.add_argument(
+        "--add", action="store_true", help="--explain: add the counterexample to data/"
     )
 
 

@@ -80,7 +80,7 @@ class Failure:
     say: Callable[[str], None]
 
 
-Search = Callable[[Failure], Counterexample | None]  # raises KitError
+Search = Callable[[Failure], Counterexample | str]  # or why there is none; raises KitError
 
 
 def judge(
@@ -152,7 +152,10 @@ def judge(
             options.jobs,
             events.phase,
         )
-        return replace(judging, counterexample=search(failure))
+        found = search(failure)
+        if isinstance(found, str):
+            return replace(judging, unexplained=found)
+        return replace(judging, counterexample=found)
 
 
 def _judging(

@@ -77,7 +77,7 @@ class Judging:
     less. message: the compiler's, for CE. wall: the wall around every run, or None.
     limit_given: the time limit is not the declared one, scaled or not. diagnosis: for a program
     that ran and is not accepted, if feedback permits it; counterexample: if one was asked for,
-    permitted and found.
+    permitted and found; unexplained: if one was asked for and not found, why.
     """
 
     submission: str
@@ -96,6 +96,7 @@ class Judging:
     limit_given: bool = False
     diagnosis: Diagnosis | None = None
     counterexample: Counterexample | None = None
+    unexplained: str = ""
 
     @property
     def cases(self) -> tuple[CaseResult, ...]:

@@ -49,7 +49,14 @@ def print_explained(
     if judging.diagnosis is not None:
         _print(console, _diagnosis_lines(judging.diagnosis, explain=explain))
     if example is not None:
-        _print(console, _example_lines(example))
+        print_counterexample(console, example)
+    elif judging.unexplained:
+        console.print(Text(judging.unexplained), soft_wrap=True)
+
+
+def print_counterexample(console: Console, example: Counterexample) -> None:
+    """Print a counterexample: the input to paste, expected and found, why, where it is kept."""
+    _print(console, _example_lines(example))
 
 
 def _print(console: Console, lines: Iterator[str | Text]) -> None:
