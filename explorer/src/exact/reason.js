@@ -1,0 +1,127 @@
+// The answer in words, exact: what meets what and when, or which line separates.
+
+import { boxOf, difference, originIn, sweep } from "./geometry.js";
+import { firstContact, fractionText, holds, isLess, placeAt, toNumber } from "./contact.js";
+
+export const pointText = ([x, y]) => `(${x}, ${y})`;
+const edgeText = ([from, to]) => `${pointText(from)}–${pointText(to)}`;
+
+/** The answer to a scene, with what is needed to say why.
+ *
+ * Returns {answer, parts, first, covered}: one part {place, contact} for each obstacle, with the
+ * place of the origin in obstacle + (-sweep), and the first contact or null; first: the index of
+ * the obstacle that is hit first, null if there is none; covered: the sweep. O(k * m + n).
+ */
+export function judge(scene) {
+  const covered = sweep(scene.robot, scene.move);
+  const box = boxOf(covered);
+  let first = null;
+  const parts = scene.obstacles.map((obstacle) => {
+    if (areApart(box, boxOf(obstacle))) return { place: "outside", contact: null };
+    const place = originIn(difference(obstacle, covered));
+    return { place, contact: place === "outside" ? null : firstContact(scene, obstacle) };
+  });
+  parts.forEach(({ contact }, index) => {
+    if (!contact) return;
+    if (first === null || isLess(contact.moment, parts[first].contact.moment)) first = index;
+  });
+  const isFree = parts.every(({ place }) => place === "outside");
+  return { answer: isFree ? "YES" : "NO", parts, first, covered };
+}
+
+const areApart = ([left, bottom, right, top], [left2, bottom2, right2, top2]) =>
+  right < left2 || right2 < left || top < bottom2 || top2 < bottom;
+
+/** One or two sentences that say why the answer is so.
+ *
+ * shown, line: the obstacle that is shown, and the line that separates it or null.
+ */
+export function reason(scene, verdict, shown, line) {
+  if (!scene.obstacles.length) return "There is no obstacle that could be touched.";
+  if (verdict.first === null) return freeReason(scene, shown, line);
+  const { place, contact } = verdict.parts[verdict.first];
+  const name = obstacleName(scene, verdict.first);
+  const touch =
+    place === "boundary" ? " They share only boundary points, and these count." : "";
+  return `${contactText(scene, scene.obstacles[verdict.first], contact, name)}${touch}`;
+}
+
+export function obstacleName(scene, index) {
+  return scene.obstacles.length === 1 ? "the obstacle" : `obstacle ${index + 1}`;
+}
+
+function freeReason(scene, shown, line) {
+  const gap = gapText(line);
+  const area = "all that the robot covers";
+  if (scene.obstacles.length === 1) {
+    return `A line separates the obstacle from ${area}, with a gap of ${gap}.`;
+  }
+  const count = scene.obstacles.length;
+  return (
+    `Each of the ${count} obstacles is separated by a line from ${area}; ` +
+    `here obstacle ${shown + 1}, with a gap of ${gap}.`
+  );
+}
+
+/** A gap as an exact term with its rounded value: 3/√13 ≈ 0.83. */
+export function gapText({ gap, along }) {
+  const square = along.reduce((sum, part) => sum + BigInt(part) ** 2n, 0n);
+  const root = BigInt(Math.round(Math.sqrt(Number(square))));
+  if (root * root === square) {
+    const divisor = gcd(BigInt(gap), root);
+    const [over, under] = [BigInt(gap) / divisor, root / divisor];
+    return under === 1n ? `${over}` : `${over}/${under}`;
+  }
+  return `${gap}/√${square} ≈ ${Number((Number(gap) / Math.sqrt(Number(square))).toPrecision(3))}`;
+}
+
+const gcd = (a, b) => (b ? gcd(b, a % b) : a);
+
+function contactText(scene, obstacle, contact, name) {
+  if (contact.kind === "overlap") return overlapText(scene, obstacle, name);
+  const { over, under } = contact.moment;
+  const when =
+    over === 0n
+      ? "Before it moves, "
+      : over === under
+        ? "At the very end of the move, "
+        : `After ${fractionText(contact.moment)} of the move, `;
+  return `${when}${meeting(contact, name)}.`;
+}
+
+function meeting({ kind, corner, edge, other }, name) {
+  switch (kind) {
+    case "corner-edge":
+      return `the robot’s corner ${pointText(corner)} meets the edge ${edgeText(edge)} of ${name}`;
+    case "edge-corner":
+      return `the robot’s edge ${edgeText(edge)} meets the corner ${pointText(corner)} of ${name}`;
+    case "corner-corner":
+      return `the robot’s corner ${pointText(corner)} meets the corner ${pointText(other)} of ${name}`;
+    default:
+      return `the robot’s edge ${edgeText(edge)} meets the edge ${edgeText(other)} of ${name}`;
+  }
+}
+
+function overlapText(scene, obstacle, name) {
+  if (holds(obstacle, scene.robot)) return `The robot starts inside ${name}.`;
+  const title = name.replace(/^./, (letter) => letter.toUpperCase());
+  if (holds(scene.robot, obstacle)) return `${title} lies inside the robot before it moves.`;
+  return `The robot and ${name} overlap before it moves.`;
+}
+
+/** A point of the first contact, as numbers for drawing; null for an overlap. */
+export function contactPoint(scene, contact) {
+  if (!contact || contact.kind === "overlap") return null;
+  const { kind, corner, other, edge, moment } = contact;
+  if (kind === "edge-corner") return corner;
+  if (kind === "corner-corner") return other;
+  const moved = (point) => placeAt(point, scene.move, moment).map(toNumber);
+  if (kind === "corner-edge") return moved(corner);
+  return middleOfOverlap(edge.map(moved), other);
+}
+
+/** The middle of what two overlapping edges on one line share. */
+function middleOfOverlap(edge, other) {
+  const ends = [...edge, ...other].sort(([ax, ay], [bx, by]) => ax - bx || ay - by);
+  return [(ends[1][0] + ends[2][0]) / 2, (ends[1][1] + ends[2][1]) / 2];
+}
