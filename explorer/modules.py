@@ -5,7 +5,8 @@ The sources keep to a few forms, so that no bundler is needed:
     import { a, b } from "./other.js";      (one line or several; no renaming, no default)
     export function …  export class …  export const …
 
-All of their top-level names must differ, as they end up in one module.
+All of their top-level names must differ, as they end up in one module. Comments that fill
+whole lines are left out of it.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from judge.kit.errors import KitError
 _IMPORT = re.compile(r'^import \{([\w\s,$]*)\} from "(\.{1,2}/[\w./]+\.js)";\n', re.MULTILINE)
 _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const)\b)", re.MULTILINE)
 _TOP = re.compile(r"^(export )?(?:async )?(?:function\*?|class|const|let) ([\w$]+)", re.MULTILINE)
+_COMMENT = re.compile(r"^[ ]*(?://.*\n|/\*\*(?:.|\n)*?\*/\n)", re.MULTILINE)
 _OTHER_FORM = re.compile(r"^(?:import|export)\b.*", re.MULTILINE)
 
 
@@ -62,7 +64,7 @@ def _visit(
         if unused:
             raise ModuleError(f"{name}: imports {', '.join(sorted(unused))} without use")
     exports[path] = {found for export, found in _TOP.findall(text) if export}
-    body = _EXPORT.sub("", _IMPORT.sub("", text))
+    body = _COMMENT.sub("", _EXPORT.sub("", _IMPORT.sub("", text)))
     if other := _OTHER_FORM.search(body):
         raise ModuleError(f"{name}: expected another form of import or export: {other[0]}")
     bodies[path] = f"// {name}\n{body.strip()}\n"

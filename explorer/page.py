@@ -6,6 +6,7 @@ import base64
 import hashlib
 import json
 from collections.abc import Sequence
+from dataclasses import asdict
 from pathlib import Path
 
 import msgspec
@@ -22,15 +23,19 @@ def build(scenes: Sequence[Scene], constraints: Constraints) -> str:
     """Return the page with these scenes, as HTML. Raises ModuleError."""
     style = (SOURCES / "style.css").read_text(encoding="utf-8").strip()
     script = join(SOURCES / "main.js").strip()
+    sentences = list(dict.fromkeys(scene.sentence for scene in scenes))
     held = {
         "rules": msgspec.to_builtins(constraints),
         "first": FIRST,
-        "scenes": [scene.as_json() for scene in scenes],
+        "sentences": sentences,
+        "scenes": [
+            asdict(scene) | {"sentence": sentences.index(scene.sentence)} for scene in scenes
+        ],
     }
     parts = {
         "policy": f"default-src 'none'; style-src {_source(style)}; script-src {_source(script)}",
         "style": style,
-        "data": json.dumps(held, ensure_ascii=False, indent=0).replace("</", "<\\/"),
+        "data": json.dumps(held, ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/"),
         "script": script,
     }
     page = (SOURCES / "page.html").read_text(encoding="utf-8")

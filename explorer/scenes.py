@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 from gen.scenario import parse, render
@@ -25,7 +25,8 @@ class SceneError(KitError):
 class Scene:
     """A scene of the page. input: one scenario, without the number of scenarios before it.
 
-    name: what a link calls it (`#gallery=NAME`). title, sentence: for people.
+    name: what a link calls it (`#gallery=NAME`). title, sentence: for people. Scenes of one
+    lesson share their sentence.
     """
 
     name: str
@@ -34,10 +35,6 @@ class Scene:
     sentence: str
     answer: str
     input: str
-
-    def as_json(self) -> dict[str, str]:
-        """Return the scene as the page reads it."""
-        return asdict(self)
 
 
 def samples(data: Path = DATA, statement: Path = STATEMENT) -> list[Scene]:

@@ -114,7 +114,7 @@ function show(scene, from) {
   session.open(scene);
   isEdited = false;
   const entry = data.scenes.find(({ name }) => name === source.name);
-  byId("lesson").textContent = entry?.sentence ?? "";
+  byId("lesson").textContent = entry ? data.sentences[entry.sentence] : "";
   byId("scenes").value = source.name ?? "";
   byId("scenario-chooser").hidden = !source.file;
   byId("scenario").value = source.number;
@@ -362,20 +362,23 @@ addEventListener("keydown", (event) => {
   session.undo();
 });
 
+/** A file is given as a string of its bytes. */
+function faultOf(bytes) {
+  try {
+    readScenes(bytesToText(Uint8Array.from(bytes, (byte) => byte.charCodeAt(0))), rules);
+    return null;
+  } catch (error) {
+    if (!(error instanceof InputError)) throw error;
+    return { line: error.line, reason: error.reason };
+  }
+}
+
 // For tests, and for whoever wants to compare: what the page computes, without its views.
 window.collisionCourse = {
   /** The answers of all scenarios of an input file. Raises InputError. */
   answers: (text) => readScenes(text, rules).map((scene) => judge(scene).answer),
-  /** The line and the reason of the first fault of a file of bytes; null if it is valid. */
-  fault(bytes) {
-    try {
-      readScenes(bytesToText(Uint8Array.from(bytes)), rules);
-      return null;
-    } catch (error) {
-      if (!(error instanceof InputError)) throw error;
-      return { line: error.line, reason: error.reason };
-    }
-  },
+  /** The line and the reason of the first fault of each file, null if it is valid. */
+  faults: (files) => files.map(faultOf),
   /** The moments of the first contacts of all scenarios, "n/d" or null. */
   contacts: (text) =>
     readScenes(text, rules).map(({ robot, move, obstacles }) => {

@@ -58,24 +58,28 @@ function freeReason(scene, shown, line) {
   }
   const count = scene.obstacles.length;
   return (
-    `Each of the ${count} obstacles is separated by a line from ${area}; ` +
-    `here obstacle ${shown + 1}, with a gap of ${gap}.`
+    `A line separates each of the ${count} obstacles from ${area}; ` +
+    `for obstacle ${shown + 1}, with a gap of ${gap}.`
   );
 }
 
 /** A gap as an exact term with its rounded value: 3/√13 ≈ 0.83. */
-export function gapText({ gap, along }) {
-  const square = along.reduce((sum, part) => sum + BigInt(part) ** 2n, 0n);
+function gapText(line) {
+  const [x, y] = line.along.map(BigInt);
+  const common = absolute(gcd(x, y)); // it divides the cross product, too
+  const gap = BigInt(line.gap) / common;
+  const square = (x * x + y * y) / (common * common);
   const root = BigInt(Math.round(Math.sqrt(Number(square))));
   if (root * root === square) {
-    const divisor = gcd(BigInt(gap), root);
-    const [over, under] = [BigInt(gap) / divisor, root / divisor];
+    const divisor = gcd(gap, root);
+    const [over, under] = [gap / divisor, root / divisor];
     return under === 1n ? `${over}` : `${over}/${under}`;
   }
   return `${gap}/√${square} ≈ ${Number((Number(gap) / Math.sqrt(Number(square))).toPrecision(3))}`;
 }
 
 const gcd = (a, b) => (b ? gcd(b, a % b) : a);
+const absolute = (a) => (a < 0n ? -a : a);
 
 function contactText(scene, obstacle, contact, name) {
   if (contact.kind === "overlap") return overlapText(scene, obstacle, name);

@@ -1,6 +1,7 @@
 // The merge, step by step: both lists of edges by polar angle, the comparison, the growing sum.
 
 import { pointText } from "../exact/reason.js";
+import { paintDial } from "./dial.js";
 
 const WINDOW = 24; // chips of a row that are shown; of longer lists, those around the pointer
 
@@ -14,6 +15,7 @@ export function paintMerge(root, sum, step) {
     look: takesA && takesB ? "a b" : takesA ? "a" : "b",
   }));
   sumRow(root.querySelector("#row-sum"), done, step);
+  paintDial(root.querySelector("#dial"), sum, step);
   root.querySelector("#step-text").textContent = stepText(sum, step);
 }
 
@@ -26,16 +28,21 @@ export function stepText({ a, b, steps }, step) {
     return `Done: ${n} + ${m} edges were merged into ${total}${why}. The polygon closes.`;
   }
   const { i, j, turn, takesA, takesB } = steps[step];
-  const nameA = `a${sub(i + 1)} = ${pointText(a.edges[i] ?? [])}`;
-  const nameB = `b${sub(j + 1)} = ${pointText(b.edges[j] ?? [])}`;
-  if (turn === null) return takesA ? `B is used up: take ${nameA}.` : `A is used up: take ${nameB}.`;
-  const comparison = `${nameA} × ${nameB} = ${turn}`;
-  if (takesA && takesB) return `${comparison}: the same direction, so both together are one edge.`;
+  const [nameA, nameB] = [`a${sub(i + 1)}`, `b${sub(j + 1)}`];
+  if (turn === null) {
+    return takesA
+      ? `B is used up: take ${nameA} = ${pointText(a.edges[i])}.`
+      : `A is used up: take ${nameB} = ${pointText(b.edges[j])}.`;
+  }
+  const [[ax, ay], [bx, by]] = [a.edges[i], b.edges[j]].map((edge) => edge.map(factor));
+  const product = `${nameA} × ${nameB} = ${ax}·${by} − ${ay}·${bx} = ${turn}`;
+  if (takesA && takesB) return `${product}: the same direction, so both together make one edge.`;
   return takesA
-    ? `${comparison} > 0: a${sub(i + 1)} comes first by angle, take it.`
-    : `${comparison} < 0: b${sub(j + 1)} comes first by angle, take it.`;
+    ? `${product} > 0: ${nameA} comes first by angle, so take it.`
+    : `${product} < 0: ${nameB} comes first by angle, so take it.`;
 }
 
+const factor = (value) => (value < 0 ? `(${value})` : `${value}`);
 const sub = (number) => `${number}`.replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
 
 function row(list, edges, pointer, isTaken, name) {
@@ -86,7 +93,6 @@ function chip(name, edge, look, isCurrent) {
   const arrow = document.createElement("span");
   arrow.className = "direction";
   arrow.setAttribute("aria-hidden", "true");
-  arrow.textContent = "➝";
   arrow.style.transform = `rotate(${-Math.atan2(edge[1], edge[0])}rad)`;
   const label = document.createElement("span");
   label.textContent = name ? `${name} ${pointText(edge)}` : pointText(edge);

@@ -38,6 +38,7 @@ export function paintControls(session, why) {
   byId("remove-obstacle").disabled = !scene.obstacles.length;
   byId("remove-corner").disabled = (selected?.vertex ?? null) === null;
   byId("difference-text").textContent = placeText(session);
+  byId("line-key").hidden = !session.line;
   paintChoice(session);
 }
 
@@ -50,8 +51,9 @@ function paintMomentControls({ scene, verdict, moment, position, touches }) {
   const share = isSliders || exact.length > MOMENT_CHARACTERS ? rounded : exact;
   const hit = touches.flatMap((touch, index) => (touch ? [index + 1] : []));
   const names = hit.length > 3 ? `${hit.length} obstacles` : `obstacle ${hit.join(", ")}`;
+  const when = { 0: "at the start", 1: "at the end" }[share] ?? `after ${share} of the move`;
   const what = !hit.length ? "free" : scene.obstacles.length === 1 ? "touching" : `touching ${names}`;
-  byId("moment-text").textContent = `${share} of the move: ${what}`;
+  byId("moment-text").textContent = `${when}: ${what}`;
   byId("moment").setAttribute("aria-valuetext", byId("moment-text").textContent);
   byId("moment-text").className = hit.length ? "no" : "";
 }

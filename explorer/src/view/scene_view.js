@@ -132,10 +132,11 @@ function paintMoment(lines, view, { scene, moment, touches }) {
 
 function paintArrow(lines, view, { robot, move }) {
   const middle = middleOf(robot);
-  const [[x, y], [tipX, tipY]] = view.segment(middle, plus(middle, move));
-  const length = Math.hypot(tipX - x, tipY - y);
-  if (length < 8) return;
-  const [right, down] = [(tipX - x) / length, (tipY - y) / length];
+  const [[x, y], [endX, endY]] = view.segment(middle, plus(middle, move));
+  const length = Math.hypot(endX - x, endY - y);
+  if (length < 24) return;
+  const [right, down] = [(endX - x) / length, (endY - y) / length];
+  const [tipX, tipY] = [endX - 7 * right, endY - 7 * down]; // the handle is at the end
   const [baseX, baseY] = [tipX - 13 * right, tipY - 13 * down];
   lines.line("shaft", [[x, y], [baseX, baseY]], { class: "arrow" });
   const head = [
