@@ -90,7 +90,7 @@ function changed(isOtherScene) {
     isEdited = true;
     if (document.activeElement !== byId("text")) showText();
     later("address", showAddress, ADDRESS_AFTER_MS);
-    byId("lesson").textContent = "";
+    byId("lesson").classList.add("past"); // it keeps its room, so that nothing jumps
   }
   redraw();
 }
@@ -114,6 +114,7 @@ function show(scene, from) {
   session.open(scene);
   isEdited = false;
   const entry = data.scenes.find(({ name }) => name === source.name);
+  byId("lesson").classList.remove("past");
   byId("lesson").textContent = entry ? data.sentences[entry.sentence] : "";
   byId("scenes").value = source.name ?? "";
   byId("scenario-chooser").hidden = !source.file;
@@ -315,7 +316,7 @@ on("moment", "input", () => {
 on("play", "click", play);
 on("first", "click", () => {
   stopPlaying();
-  session.goTo(session.verdict.parts[session.verdict.first].contact.moment);
+  session.goTo(session.verdict.first.moment);
 });
 on("shown", "change", () => session.choose(Number(byId("shown").value)));
 on("step", "input", () => session.goToStep(Number(byId("step").value)));

@@ -63,11 +63,11 @@ export class Session {
   /** Work out what belongs to the obstacle that is shown; without one, all is null. */
   show() {
     const { scene, verdict } = this;
-    this.shown = this.choice ?? verdict.first ?? this.nearest();
+    this.shown = this.choice ?? verdict.first?.index ?? this.nearest();
     const obstacle = scene.obstacles[this.shown];
     this.sum = obstacle ? difference(obstacle, verdict.covered) : null;
     this.standing = obstacle ? standingDifference(obstacle, scene.robot) : null;
-    this.place = obstacle ? verdict.parts[this.shown].place : null;
+    this.place = obstacle ? verdict.places[this.shown] : null;
     this.line = this.place === "outside" ? separation(this.sum) : null;
   }
 
@@ -97,7 +97,7 @@ export class Session {
     const { scene, verdict, moment } = this;
     this.touches = scene.obstacles.map(
       (obstacle, index) =>
-        verdict.parts[index].contact !== null && stateAt(scene, obstacle, moment) !== "outside",
+        verdict.places[index] !== "outside" && stateAt(scene, obstacle, moment) !== "outside",
     );
   }
 

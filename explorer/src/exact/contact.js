@@ -1,15 +1,15 @@
 // Moments of the move, exact: when the robot first touches, and what it touches then.
 
-import { minus, minkowskiSum, reflected } from "./geometry.js";
+import { cross, minus, minkowskiSum, reflected } from "./geometry.js";
 
 const big = ([x, y]) => [BigInt(x), BigInt(y)];
 const bigCross = ([ax, ay], [bx, by]) => ax * by - ay * bx;
 
 /** The fraction over / under in lowest terms, under > 0. Both are BigInt. */
 export function fraction(over, under) {
-  let [a, b] = [over < 0n ? -over : over, under < 0n ? -under : under];
+  let [a, b] = [over, under];
   while (b) [a, b] = [b, a % b];
-  const by = under < 0n ? -a : a;
+  const by = a < 0n === under < 0n ? a : -a;
   return { over: over / by, under: under / by };
 }
 
@@ -32,23 +32,35 @@ export const standingDifference = (obstacle, robot) => minkowskiSum(obstacle, re
  * "boundary": only boundary points are shared.
  */
 export function stateAt(scene, obstacle, moment) {
-  const { zeros, outside } = sides(standingDifference(obstacle, scene.robot), scene.move, moment);
-  if (outside) return "outside";
+  const zeros = zeroSides(standingDifference(obstacle, scene.robot), scene.move, moment);
+  if (zeros === null) return "outside";
   return zeros.length ? "boundary" : "inside";
 }
 
-/** On which side of each edge moment * move lies: {zeros: indices of steps, outside}. */
-function sides({ steps }, move, { over, under }) {
-  const target = big(move).map((delta) => delta * over);
+/** The indices of the edges on whose lines moment * move lies; null if it is outside. */
+function zeroSides({ steps }, move, { over, under }) {
   const zeros = [];
-  let outside = false;
-  steps.forEach(({ edge, at }, index) => {
-    const from = big(at).map((coordinate) => coordinate * under);
-    const side = bigCross(big(edge), minus(target, from));
-    if (side < 0n) outside = true;
-    if (side === 0n) zeros.push(index);
-  });
-  return { zeros, outside };
+  const side = under <= SLIDER_MAX ? sliderSide(over, under, move) : bigSide(over, under, move);
+  for (let index = 0; index < steps.length; index += 1) {
+    const value = side(steps[index]);
+    if (value < 0) return null;
+    if (value == 0) zeros.push(index); // 0 or 0n
+  }
+  return zeros;
+}
+
+const SLIDER_MAX = 1_000_000n; // up to here, coordinates times the moment's terms are exact Numbers
+
+function sliderSide(over, under, move) {
+  const [a, b] = [Number(over), Number(under)];
+  const target = move.map((delta) => delta * a);
+  return ({ edge, at }) => cross(edge, minus(target, [at[0] * b, at[1] * b]));
+}
+
+function bigSide(over, under, move) {
+  const target = big(move).map((delta) => delta * over);
+  return ({ edge, at }) =>
+    bigCross(big(edge), minus(target, big(at).map((coordinate) => coordinate * under)));
 }
 
 /** The first contact of the robot with an obstacle, or null: {moment, kind, corner, edge, ...}.
@@ -64,18 +76,20 @@ export function firstContact({ robot, move }, obstacle) {
   let from = { over: 0n, under: 1n };
   let until = { over: 1n, under: 1n };
   for (const { edge, at } of sum.steps) {
-    const need = bigCross(big(edge), big(at)); // moment * rate must reach this
-    const rate = bigCross(big(edge), big(move));
-    if (rate === 0n) {
-      if (need > 0n) return null;
-      continue;
+    const need = cross(edge, at); // moment * rate must reach this
+    const rate = cross(edge, move);
+    if (need > 0 && rate <= 0) return null;
+    if (rate > 0 && need > 0) {
+      const bound = { over: BigInt(need), under: BigInt(rate) };
+      if (isLess(from, bound)) from = bound;
+    } else if (rate < 0) {
+      const bound = { over: -BigInt(need), under: -BigInt(rate) };
+      if (isLess(bound, until)) until = bound;
     }
-    const bound = fraction(need, rate);
-    if (rate > 0n && isLess(from, bound)) from = bound;
-    if (rate < 0n && isLess(bound, until)) until = bound;
   }
   if (isLess(until, from)) return null;
-  return { moment: from, ...features(sum, sides(sum, move, from).zeros) };
+  const moment = fraction(from.over, from.under);
+  return { moment, ...features(sum, zeroSides(sum, move, moment)) };
 }
 
 /** What meets there: the vertex or the edge of the sum names the features of both polygons. */

@@ -4,7 +4,7 @@ import { convexityFault } from "./geometry.js";
 
 const LINE_BYTES = 64; // more than any valid line has
 const SHOWN_BYTES = 24; // of a bad line in a message
-const LINES_A_TURN = 20_000; // the reader lets the page breathe after so many
+const LINES_A_TURN = 10_000; // the reader lets the page breathe after so many
 const INTEGER = "(0|-?[1-9][0-9]{0,17})";
 const NUMBER = new RegExp(`^${INTEGER}$`);
 const PAIR = new RegExp(`^${INTEGER} ${INTEGER}\n$`);
@@ -76,6 +76,7 @@ class Reader {
     this.rules = rules;
     this.at = 0;
     this.line = 0;
+    this.turnAt = LINES_A_TURN;
     this.vertices = 0;
     this.sceneAt = 0;
     this.sceneLine = 0;
@@ -131,7 +132,9 @@ class Reader {
         this.range(vertex[i] + move[i], `${axis} at the end of the move`, -most, most, where);
       });
       vertices.push(vertex);
-      if (this.line % LINES_A_TURN === 0) yield null;
+      if (this.line < this.turnAt) continue;
+      this.turnAt = this.line + LINES_A_TURN;
+      yield null;
     }
     const fault = convexityFault(vertices);
     if (fault) {

@@ -8,25 +8,31 @@ const edgeText = ([from, to]) => `${pointText(from)}–${pointText(to)}`;
 
 /** The answer to a scene, with what is needed to say why.
  *
- * Returns {answer, parts, first, covered}: one part {place, contact} for each obstacle, with the
- * place of the origin in obstacle + (-sweep), and the first contact or null; first: the index of
- * the obstacle that is hit first, null if there is none; covered: the sweep. O(k * m + n).
+ * Returns {answer, places, first, covered}. places: for each obstacle, where the origin is in
+ * obstacle + (-sweep). first: the first contact with any of them, with the obstacle's index, or
+ * null. covered: the sweep. O(k * m + n).
  */
 export function judge(scene) {
   const covered = sweep(scene.robot, scene.move);
   const box = boxOf(covered);
+  const places = scene.obstacles.map((obstacle) => {
+    if (areApart(box, boxOf(obstacle))) return "outside";
+    return originIn(difference(obstacle, covered));
+  });
+  const answer = places.every((place) => place === "outside") ? "YES" : "NO";
+  return { answer, places, first: firstOf(scene, places), covered };
+}
+
+/** The contact before all others, {index, ...}; null if every obstacle is outside. */
+function firstOf(scene, places) {
   let first = null;
-  const parts = scene.obstacles.map((obstacle) => {
-    if (areApart(box, boxOf(obstacle))) return { place: "outside", contact: null };
-    const place = originIn(difference(obstacle, covered));
-    return { place, contact: place === "outside" ? null : firstContact(scene, obstacle) };
-  });
-  parts.forEach(({ contact }, index) => {
-    if (!contact) return;
-    if (first === null || isLess(contact.moment, parts[first].contact.moment)) first = index;
-  });
-  const isFree = parts.every(({ place }) => place === "outside");
-  return { answer: isFree ? "YES" : "NO", parts, first, covered };
+  for (let index = 0; index < places.length; index += 1) {
+    if (places[index] === "outside") continue;
+    const contact = firstContact(scene, scene.obstacles[index]);
+    if (first === null || isLess(contact.moment, first.moment)) first = { index, ...contact };
+    if (first.moment.over === 0n) break;
+  }
+  return first;
 }
 
 const areApart = ([left, bottom, right, top], [left2, bottom2, right2, top2]) =>
@@ -38,15 +44,15 @@ const areApart = ([left, bottom, right, top], [left2, bottom2, right2, top2]) =>
  */
 export function reason(scene, verdict, shown, line) {
   if (!scene.obstacles.length) return "There is no obstacle that could be touched.";
-  if (verdict.first === null) return freeReason(scene, shown, line);
-  const { place, contact } = verdict.parts[verdict.first];
-  const name = obstacleName(scene, verdict.first);
-  const touch =
-    place === "boundary" ? " They share only boundary points, and these count." : "";
-  return `${contactText(scene, scene.obstacles[verdict.first], contact, name)}${touch}`;
+  const { places, first } = verdict;
+  if (first === null) return freeReason(scene, shown, line);
+  const name = obstacleName(scene, first.index);
+  const isTouch = places[first.index] === "boundary";
+  const touch = isTouch ? " They share only boundary points, and these count." : "";
+  return `${contactText(scene, scene.obstacles[first.index], first, name)}${touch}`;
 }
 
-export function obstacleName(scene, index) {
+function obstacleName(scene, index) {
   return scene.obstacles.length === 1 ? "the obstacle" : `obstacle ${index + 1}`;
 }
 
@@ -115,7 +121,7 @@ function overlapText(scene, obstacle, name) {
 
 /** A point of the first contact, as numbers for drawing; null for an overlap. */
 export function contactPoint(scene, contact) {
-  if (!contact || contact.kind === "overlap") return null;
+  if (contact.kind === "overlap") return null;
   const { kind, corner, other, edge, moment } = contact;
   if (kind === "edge-corner") return corner;
   if (kind === "corner-corner") return other;

@@ -6,7 +6,7 @@ import { Viewport } from "./viewport.js";
 
 const WHEEL_SPEED = 0.0015;
 const KEY_FACTOR = 1.25;
-const DIGIT_PX = 6.3;
+const DIGIT_PX = 6.7;
 
 export class Board {
   /** svg: the element. layers: names from back to front. redraw: called when the view changed.
@@ -25,6 +25,7 @@ export class Board {
     this.numbers = new Layer(svg);
     this.pointers = new Map();
     this.drag = null;
+    this.held = null; // where the board was when the first pointer went down
     new ResizeObserver(() => this.resize()).observe(svg);
     this.resize();
     this.listen();
@@ -66,13 +67,14 @@ export class Board {
     const [left, top] = view.toWorld([0, 0]);
     const [right, bottom] = view.toWorld([view.width, view.height]);
     const digits = numberText(Math.round(Math.max(Math.abs(left), Math.abs(right)))).length + 1;
+    const half = (digits * DIGIT_PX) / 2 + 2;
     const step = view.gridStep(18);
     const xStep = labelStep(view, step, digits * DIGIT_PX + 10);
     const yStep = labelStep(view, step, 30);
     for (let x = Math.ceil(left / step) * step; x <= right; x += step) {
       const [px] = view.toScreen([x, 0]);
       grid.line(`x${x}`, [[px, 0], [px, view.height]], { class: x ? "grid" : "axis" });
-      if (x % xStep === 0 && px > 28 && px < view.width - (digits * DIGIT_PX) / 2) {
+      if (x % xStep === 0 && px > half && px < view.width - half) {
         const at = { x: px, y: view.height - 5, class: "number", "text-anchor": "middle" };
         numbers.put("text", `x${x}`, at, numberText(x));
       }
@@ -87,7 +89,7 @@ export class Board {
   }
 
   pixelOf(event) {
-    const { left, top } = this.svg.getBoundingClientRect();
+    const { left, top } = this.held ?? this.svg.getBoundingClientRect();
     return [event.clientX - left, event.clientY - top];
   }
 
@@ -98,6 +100,14 @@ export class Board {
     for (const end of ["pointerup", "pointercancel"]) {
       svg.addEventListener(end, (event) => this.up(event));
     }
+    // A finger that drags a part, or pinches, does not scroll the page. (pointerdown comes first.)
+    svg.addEventListener(
+      "touchstart",
+      (event) => {
+        if (this.drag || event.touches.length > 1) event.preventDefault();
+      },
+      { passive: false },
+    );
     svg.addEventListener(
       "wheel",
       (event) => {
@@ -116,6 +126,8 @@ export class Board {
 
   down(event) {
     if (event.button) return;
+    // What is dragged stays under the pointer, even if text above grows and the board moves.
+    this.held ??= this.svg.getBoundingClientRect();
     const pixel = this.pixelOf(event);
     if (this.pointers.size === 0) this.drag = this.press(pixel, event);
     if (this.pointers.size === 1 && !this.drag) this.isOwnView = true; // a pinch begins
@@ -147,8 +159,10 @@ export class Board {
 
   up(event) {
     if (!this.pointers.delete(event.pointerId)) return;
-    if (this.drag) this.drag(event, this.pixelOf(event));
+    if (this.drag && event.type === "pointerup") this.drag(event, this.pixelOf(event));
     this.drag = null;
+    if (!this.pointers.size) this.held = null;
+    this.redraw();
   }
 }
 

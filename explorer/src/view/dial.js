@@ -2,7 +2,7 @@
 
 import { Layer } from "./layer.js";
 
-const RAYS_MAX = 400; // of one polygon; with more, the dial would be a disc
+const RAYS_MAX = 120; // of one polygon; with more, the dial would be a disc
 const RADIUS = 56;
 const LENGTHS = { a: 42, b: 54 }; // so that edges of one direction are both seen
 

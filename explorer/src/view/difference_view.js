@@ -28,13 +28,19 @@ export function paintDifference(board, state) {
   });
 }
 
+/** All edges of one look are one path, so that thousands of edges stay fast. */
 function paintEdges(edges, view, { steps }, step) {
+  const paths = new Map();
   steps.forEach(({ edge, at, takesA, takesB }, index) => {
-    const ends = view.segment(at, [at[0] + edge[0], at[1] + edge[1]]);
+    const [from, to] = view.segment(at, [at[0] + edge[0], at[1] + edge[1]]);
+    const line = `M${from}L${to}`;
     const look = index < step ? "done" : index === step ? "now" : "later";
-    if (takesA) edges.line(`a${index}`, ends, { class: `edge a ${look}` });
-    if (takesB) edges.line(`b${index}`, ends, { class: `edge b ${look}${takesA ? " both" : ""}` });
+    if (takesA) paths.set(`a ${look}`, (paths.get(`a ${look}`) ?? "") + line);
+    if (takesB) paths.set(`b ${look}`, (paths.get(`b ${look}`) ?? "") + line);
   });
+  for (const look of [...paths.keys()].sort()) {
+    edges.put("path", look, { d: paths.get(look), class: `edge ${look}` });
+  }
   if (step >= steps.length) return;
   const [cx, cy] = view.toScreen(steps[step].at);
   edges.put("circle", "pen", { cx, cy, r: 4.5, class: "pen" });

@@ -80,7 +80,7 @@ function paintChoice({ scene, verdict, shown }) {
   while (select.options.length > count) select.remove(select.options.length - 1);
   while (select.options.length < count) select.append(new Option());
   for (let index = 0; index < count; index += 1) {
-    const label = `obstacle ${index + 1}: ${verdict.parts[index].contact ? "hit" : "free"}`;
+    const label = `obstacle ${index + 1}: ${verdict.places[index] === "outside" ? "free" : "hit"}`;
     const option = select.options[index];
     if (option.text !== label) option.text = label;
     option.value = index;

@@ -90,7 +90,7 @@ export function paintScene(board, state) {
 
     areas.put("path", "covered", { d: view.path(verdict.covered), class: "covered" });
     obstacles.forEach((polygon, index) => {
-      const look = verdict.parts[index].contact ? "obstacle hit" : "obstacle";
+      const look = verdict.places[index] === "outside" ? "obstacle" : "obstacle hit";
       body({ kind: "obstacle", index, vertex: null }, polygon, look);
     });
     body({ kind: "end", index: 0, vertex: null }, translated(robot, move), "robot end");
@@ -149,8 +149,8 @@ function paintArrow(lines, view, { robot, move }) {
 
 /** The robot at the first contact, and the point where they meet. */
 function paintContact(lines, labels, view, { scene, verdict }) {
-  if (verdict.first === null) return;
-  const { contact } = verdict.parts[verdict.first];
+  const contact = verdict.first;
+  if (contact === null) return;
   const share = toNumber(contact.moment);
   if (share > 0) {
     const there = translated(scene.robot, scene.move.map((delta) => delta * share));
