@@ -28,13 +28,14 @@ import { POSITIONS, Session } from "./control/session.js";
 import { Board } from "./view/board.js";
 import { DIFFERENCE_LAYERS, differenceBox, paintDifference } from "./view/difference_view.js";
 import { paintMerge } from "./view/merge_view.js";
-import { paintScene, partOf, SCENE_LAYERS, sceneBox } from "./view/scene_view.js";
+import { nearPlace, paintScene, partOf, SCENE_LAYERS, sceneBox } from "./view/scene_view.js";
 import { byId, fillChooser, paintControls } from "./view/panels.js";
 
 const PLAY_MS = 2500;
 const SPEAK_AFTER_MS = 500; // when nothing changed for so long
 const ADDRESS_AFTER_MS = 300;
 const NOTE_MS = 4000;
+const BUTTON_ZOOM = 1.5;
 
 const data = JSON.parse(byId("data").textContent);
 const { rules } = data;
@@ -85,6 +86,16 @@ function draw() {
   later("spoken", () => (byId("spoken").textContent = `${answer}. ${why}`), SPEAK_AFTER_MS);
 }
 
+function fitScene() {
+  sceneBoard.fit(sceneBox(session.scene), true);
+  redraw();
+}
+
+function fitDifference() {
+  differenceBoard.fit(session.sum ? differenceBox(session.sum) : sceneBox(session.scene), true);
+  redraw();
+}
+
 function changed(isOtherScene) {
   if (isOtherScene && session) {
     isEdited = true;
@@ -116,6 +127,7 @@ function show(scene, from) {
   const entry = data.scenes.find(({ name }) => name === source.name);
   byId("lesson").classList.remove("past");
   byId("lesson").textContent = entry ? data.sentences[entry.sentence] : "";
+  byId("scenes").options[0].text = source.file?.name ?? "your own scene";
   byId("scenes").value = source.name ?? "";
   byId("scenario-chooser").hidden = !source.file;
   byId("scenario").value = source.number;
@@ -124,9 +136,8 @@ function show(scene, from) {
     byId("scenario-count").textContent = source.file.length.toLocaleString("en");
   }
   say("");
-  for (const board of [sceneBoard, differenceBoard]) board.isOwnView = false;
-  sceneBoard.fit(sceneBox(session.scene), true);
-  if (session.sum) differenceBoard.fit(differenceBox(session.sum), true);
+  fitScene();
+  fitDifference();
   showText();
   showAddress();
   redraw();
@@ -336,15 +347,19 @@ on("text", "input", readText);
 
 for (const group of document.querySelectorAll(".zoom")) {
   const board = boards[group.dataset.board];
-  group.addEventListener("click", (event) => {
-    const kind = event.target.dataset.zoom;
-    if (kind === "in") board.zoom(1.5);
-    if (kind === "out") board.zoom(1 / 1.5);
-    if (kind !== "fit") return;
-    if (board === sceneBoard) board.fit(sceneBox(session.scene), true);
-    else if (session.sum) board.fit(differenceBox(session.sum), true);
-    redraw();
-  });
+  const actions = {
+    in: () => board.zoom(BUTTON_ZOOM),
+    out: () => board.zoom(1 / BUTTON_ZOOM),
+    fit: () => (board === sceneBoard ? fitScene() : fitDifference()),
+    near() {
+      const [point, room] = nearPlace(session);
+      const [x, y] = board === sceneBoard ? point : [0, 0];
+      board.fit([x - room, y - room, x + room, y + room], true);
+      board.isOwnView = true;
+      redraw();
+    },
+  };
+  group.addEventListener("click", (event) => actions[event.target.dataset.zoom]?.());
 }
 on("scene", "focusin", (event) => {
   const key = event.target.dataset.part;

@@ -87,7 +87,7 @@ def test_every_scene_of_the_page_has_its_answer(opened):
 def test_a_gallery_scene_opens_by_its_link(opened):
     page = opened("#gallery=03-touch-1")
     assert answer(page) == "NO"
-    assert "only boundary points" in page.text_content("#reason")
+    assert "They only touch" in page.text_content("#reason")
     page.evaluate("location.hash = '#gallery=03-touch-2'")
     page.locator("#answer", has_text="YES").wait_for()
     page.locator("#next").click()

@@ -1,8 +1,8 @@
 // What the page shows now: the scene with all that follows from it, the moment, the step of the
 // merge, what is selected, and the scenes before the last changes.
 
-import { difference, separation } from "../exact/geometry.js";
-import { momentOf, standingDifference, stateAt, toNumber } from "../exact/contact.js";
+import { difference, isZero, separation } from "../exact/geometry.js";
+import { isLess, momentOf, standingDifference, stateAt, toNumber } from "../exact/contact.js";
 import { judge } from "../exact/reason.js";
 
 export const POSITIONS = 1000; // of the slider
@@ -94,11 +94,13 @@ export class Session {
 
   /** Which obstacles the robot touches at the moment. */
   follow() {
-    const { scene, verdict, moment } = this;
-    this.touches = scene.obstacles.map(
-      (obstacle, index) =>
-        verdict.places[index] !== "outside" && stateAt(scene, obstacle, moment) !== "outside",
-    );
+    const { scene, moment } = this;
+    const { places, first } = this.verdict;
+    const isBefore = first === null || isLess(moment, first.moment);
+    this.touches = scene.obstacles.map((obstacle, index) => {
+      if (isBefore || places[index] === "outside") return false;
+      return isZero(scene.move) || stateAt(scene, obstacle, moment) !== "outside";
+    });
   }
 
   get steps() {

@@ -23,7 +23,7 @@ export class InputError extends Error {
 export function bytesToText(bytes) {
   const parts = [];
   for (let at = 0; at < bytes.length; at += 8192) {
-    parts.push(String.fromCharCode(...bytes.subarray(at, at + 8192)));
+    parts.push(String.fromCharCode.apply(null, bytes.subarray(at, at + 8192)));
   }
   return parts.join("");
 }

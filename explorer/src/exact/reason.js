@@ -48,7 +48,7 @@ export function reason(scene, verdict, shown, line) {
   if (first === null) return freeReason(scene, shown, line);
   const name = obstacleName(scene, first.index);
   const isTouch = places[first.index] === "boundary";
-  const touch = isTouch ? " They share only boundary points, and these count." : "";
+  const touch = isTouch ? " They only touch; that is a collision, too." : "";
   return `${contactText(scene, scene.obstacles[first.index], first, name)}${touch}`;
 }
 

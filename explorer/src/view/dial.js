@@ -2,7 +2,7 @@
 
 import { Layer } from "./layer.js";
 
-const RAYS_MAX = 120; // of one polygon; with more, the dial would be a disc
+const RAYS_MAX = 120; // of both polygons; with more, the dial would be a disc
 const RADIUS = 56;
 const LENGTHS = { a: 42, b: 54 }; // so that edges of one direction are both seen
 
@@ -14,6 +14,9 @@ const onCircle = (angle, radius) => [radius * Math.cos(angle), -radius * Math.si
 export function paintDial(svg, { a, b, steps }, step) {
   if (!dials.has(svg)) dials.set(svg, new Layer(svg));
   const layer = dials.get(svg);
+  const isDisc = a.edges.length + b.edges.length > RAYS_MAX;
+  svg.classList.toggle("none", isDisc);
+  if (isDisc) return;
   const now = steps[step] ?? { i: a.edges.length, j: b.edges.length };
   layer.begin();
   layer.put("circle", "circle", { r: RADIUS, class: "circle" });
@@ -21,7 +24,7 @@ export function paintDial(svg, { a, b, steps }, step) {
   if (now.edge) layer.put("path", "turned", { d: sector(angle), class: "turned" });
   else layer.put("circle", "turned all", { r: RADIUS, class: "turned" });
   const rays = (name, { edges }, pointer) =>
-    edges.slice(0, RAYS_MAX).forEach((edge, index) => {
+    edges.forEach((edge, index) => {
       const end = onCircle(angleOf(edge), LENGTHS[name]);
       const look = index < pointer ? "done" : index === pointer ? "now" : "";
       layer.line(`${name}${index}`, [[0, 0], end], { class: `ray ${name} ${look}` });

@@ -3,7 +3,7 @@
 import { pointText } from "../exact/reason.js";
 import { paintDial } from "./dial.js";
 
-const WINDOW = 24; // chips of a row that are shown; of longer lists, those around the pointer
+const WINDOW = 14; // chips of a row that are shown; of longer lists, those around the pointer
 
 export function paintMerge(root, sum, step) {
   const { a, b, steps } = sum;

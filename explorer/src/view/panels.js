@@ -1,6 +1,7 @@
 // What stands around the boards: the answer, the moment, the steps, the obstacle's chooser.
 
 import { fractionText, toNumber } from "../exact/contact.js";
+import { nearPlace } from "./scene_view.js";
 import { POSITIONS } from "../control/session.js";
 
 const MOMENT_CHARACTERS = 9; // a longer fraction is shown rounded
@@ -29,6 +30,10 @@ export function paintControls(session, why) {
   byId("result").className = verdict.answer === "YES" ? "yes" : "no";
   byId("reason").textContent = why;
   paintMomentControls(session);
+  const [near, origin] = document.querySelectorAll("[data-zoom=near]");
+  near.textContent = verdict.first ? "Contact" : "Gap";
+  origin.textContent = "Origin";
+  near.disabled = origin.disabled = nearPlace(session) === null;
   byId("step").max = session.steps;
   byId("step").value = session.step;
   byId("step-number").textContent = `${session.step} of ${session.steps}`;

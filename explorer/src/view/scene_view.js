@@ -7,12 +7,25 @@ import { contactPoint, pointText } from "../exact/reason.js";
 
 export const SCENE_LAYERS = ["areas", "bodies", "lines", "labels", "handles"];
 const HANDLES_MAX = 60; // with more corners, only those of the selected polygon have handles
+const NAMES_MAX = 40; // of more obstacles, only the one that is shown has its number
 const GRIP_PX = 9;
 const GRIP_TOUCH_PX = 20;
+const NEAR_UNITS = 3; // around a contact that is looked at closely
 
 /** The box of all that a scene shows. */
 export function sceneBox({ robot, move, obstacles }) {
   return boxOf([...robot, ...translated(robot, move), ...obstacles.flat()]);
+}
+
+/** Where they come nearest: [the first contact's point, its room], or of the gap; else null. */
+export function nearPlace({ scene, verdict, line, sum }) {
+  if (verdict.first) {
+    const point = contactPoint(scene, verdict.first);
+    return point && [point, NEAR_UNITS];
+  }
+  if (!line) return null;
+  const gap = Number(line.gap) / Math.hypot(...line.along);
+  return [sum.steps[line.step].takesA ? line.inB : line.inA, Math.max(NEAR_UNITS, 3 * gap)];
 }
 
 /** The middle of the robot's vertices: the arrow of the move begins there. */
@@ -102,6 +115,7 @@ export function paintScene(board, state) {
     paintCompared(lines, view, state);
     if (obstacles.length > 1) {
       obstacles.forEach((polygon, index) => {
+        if (obstacles.length > NAMES_MAX && index !== state.shown) return;
         const [x, y] = view.toScreen(middleOf(polygon));
         labels.put("text", `name ${index}`, { x, y: y + 5, class: "name" }, `${index + 1}`);
       });
