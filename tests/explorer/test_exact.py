@@ -39,10 +39,10 @@ def random_file(seed, count):
 
 
 def test_random_scenarios_get_the_answers_of_the_reference(computed):
-    content = random_file(1, 8_000)
+    content = random_file(1, 6_000)
     found = computed("answers", content.decode())
     assert found == reference(content)
-    assert 2_000 < found.count("YES") < 6_000
+    assert 1_500 < found.count("YES") < 4_500
 
 
 @pytest.mark.parametrize("name", PRECISION)
@@ -78,7 +78,7 @@ def random_polygons(seed, count):
 
 
 def test_sums_are_the_hulls_of_all_sums_of_vertices(computed):
-    polygons = list(random_polygons(2, 1_500))
+    polygons = list(random_polygons(2, 800))
     pairs = list(pairwise(polygons))
     for (a, b), found in zip(pairs, computed("sums", pairs), strict=True):
         vertices = [tuple(vertex) for vertex in found]
@@ -117,7 +117,7 @@ def _meetings(corners, polygon, move):
 
 
 def test_first_contacts_are_those_of_corners_that_run_into_edges(computed):
-    content = random_file(3, 1_500)
+    content = random_file(3, 800)
     contacts = computed("contacts", content.decode())
     kinds = set()
     for scenario, found in zip(parse(content), contacts, strict=True):
@@ -134,11 +134,11 @@ def test_convexity_is_decided_as_in_the_kit(computed):
     rng = Rng(4)
     polygons = [
         [(rng.between(0, 3), rng.between(0, 3)) for _ in range(rng.between(3, 6))]
-        for _ in range(6_000)
+        for _ in range(3_000)
     ]
     expected = [is_strictly_convex(polygon) for polygon in polygons]
     assert computed("convex", polygons) == expected
-    assert 100 < sum(expected) < 5_900
+    assert 50 < sum(expected) < 2_950
     wide = [[(0, 0), (LIMIT, 1), (2 * LIMIT - 1, 3)], [(0, 0), (LIMIT, 1), (2 * LIMIT, 2)]]
     assert computed("convex", wide) == [True, False]
 
@@ -167,14 +167,14 @@ def test_damaged_files_are_judged_as_by_the_validator(computed):
     rng = Rng(5)
     sample = (DATA / "sample" / "01-first.in").read_bytes()
     damaged = []
-    for _ in range(1_500):
+    for _ in range(800):
         at, kind = rng.below(len(sample)), rng.below(3)
         byte = rng.choice(b"0123456789- \n\r\t'\"\\x\x80\xff\x00")
         end = at if kind == 0 else at + 1
         damaged.append(sample[:at] + (b"" if kind == 2 else bytes([byte])) + sample[end:])
     found = faults(computed, [sample, *damaged])
     assert found == [validator_says(content) for content in (sample, *damaged)]
-    assert 100 < found.count(None) < 1_400
+    assert 50 < found.count(None) < 750
 
 
 def test_moves_to_the_very_limit(computed):

@@ -90,13 +90,10 @@ const absolute = (a) => (a < 0n ? -a : a);
 function contactText(scene, obstacle, contact, name) {
   if (contact.kind === "overlap") return overlapText(scene, obstacle, name);
   const { over, under } = contact.moment;
-  const when =
-    over === 0n
-      ? "Before it moves, "
-      : over === under
-        ? "At the very end of the move, "
-        : `After ${fractionText(contact.moment)} of the move, `;
-  return `${when}${meeting(contact, name)}.`;
+  let when = `After ${fractionText(contact.moment)} of the move,`;
+  if (over === 0n) when = "At the start,";
+  if (over === under) when = "At the very end of the move,";
+  return `${when} ${meeting(contact, name)}.`;
 }
 
 function meeting({ kind, corner, edge, other }, name) {
@@ -115,8 +112,8 @@ function meeting({ kind, corner, edge, other }, name) {
 function overlapText(scene, obstacle, name) {
   if (holds(obstacle, scene.robot)) return `The robot starts inside ${name}.`;
   const title = name.replace(/^./, (letter) => letter.toUpperCase());
-  if (holds(scene.robot, obstacle)) return `${title} lies inside the robot before it moves.`;
-  return `The robot and ${name} overlap before it moves.`;
+  if (holds(scene.robot, obstacle)) return `${title} lies inside the robot at the start.`;
+  return `The robot and ${name} overlap at the start.`;
 }
 
 /** A point of the first contact, as numbers for drawing; null for an overlap. */

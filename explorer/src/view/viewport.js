@@ -5,6 +5,7 @@ const FIT_MARGIN = 0.1; // of the board, on each side
 const SCALE_MIN = 1e-7; // pixels for one unit
 const SCALE_MAX = 200;
 const FAR = 4_000; // pixels beyond the board at which a path is cut off
+const OUTSIDE = [-FAR, -FAR];
 const FULLNESS_MIN = 0.35; // below this share of the board, a fit is worth it
 
 /** A board of width x height pixels that shows the plane around [x, y], with y upwards. */
@@ -88,7 +89,11 @@ export class Viewport {
     return [nearest - reach, nearest + reach].map((t) => [x + t * right, y + t * down]);
   }
 
-  /** Both ends of an edge, cut off far outside of the board. */
+  /** Both ends of an edge, cut off far outside of the board.
+   *
+   * An edge that is wholly far away becomes a point: such coordinates would disturb the dashes of
+   * the others in its path.
+   */
   segment(from, to) {
     const [[x, y], [endX, endY]] = [this.toScreen(from), this.toScreen(to)];
     const reach = FAR + this.width + this.height;
@@ -97,6 +102,8 @@ export class Viewport {
     if (size < reach) return [[x, y], [endX, endY]];
     const middle = ((this.width / 2 - x) * right + (this.height / 2 - y) * down) / size ** 2;
     const at = (t) => [x + t * right, y + t * down];
+    const [nearX, nearY] = at(Math.min(Math.max(middle, 0), 1));
+    if (Math.hypot(nearX - this.width / 2, nearY - this.height / 2) > reach) return [OUTSIDE, OUTSIDE];
     return [at(Math.max(0, middle - reach / size)), at(Math.min(1, middle + reach / size))];
   }
 }
