@@ -1,6 +1,6 @@
 // The page: wires what is shown, its controls, and where scenes come from.
 
-import { firstContact, fractionText, momentOf } from "./exact/contact.js";
+import { firstContact, fractionText, momentOf, stateAt } from "./exact/contact.js";
 import { convexityFault, minkowskiSum } from "./exact/geometry.js";
 import { linkOf } from "./exact/link.js";
 import { bytesToText, InputError, readScenes, sceneText } from "./exact/parse.js";
@@ -395,12 +395,14 @@ window.collisionCourse = {
   answers: (text) => readScenes(text, rules).map((scene) => judge(scene).answer),
   /** The line and the reason of the first fault of each file, null if it is valid. */
   faults: (files) => files.map(faultOf),
-  /** The moments of the first contacts of all scenarios, "n/d" or null. */
+  /** For each obstacle of each scenario: [moment, state then] of the first contact, or null. */
   contacts: (text) =>
-    readScenes(text, rules).map(({ robot, move, obstacles }) => {
-      const found = obstacles.map((obstacle) => firstContact({ robot, move }, obstacle));
-      return found.map((contact) => contact && fractionText(contact.moment));
-    }),
+    readScenes(text, rules).map((scene) =>
+      scene.obstacles.map((obstacle) => {
+        const contact = firstContact(scene, obstacle);
+        return contact && [fractionText(contact.moment), stateAt(scene, obstacle, contact.moment)];
+      }),
+    ),
   /** The vertices of the sums of pairs of polygons. */
   sums: (pairs) => pairs.map(([a, b]) => minkowskiSum(a, b).vertices),
   /** Which of some polygons are convex. */

@@ -9,7 +9,7 @@ import pytest
 from gen.families.registry import FAMILIES, find
 from gen.geometry import apart, cross, hull, is_strictly_convex, minus, sweep, translated
 from gen.rng import Rng
-from gen.scenario import LIMIT, into_corner, parse, render
+from gen.scenario import LIMIT, Scenario, into_corner, parse, render
 from gen.validator import InputError, load_rules, validate
 from judge.kit.paths import DATA, REFERENCE
 from judge.kit.trusted import python_command, read_answers, run_trusted
@@ -121,13 +121,33 @@ def test_first_contacts_are_those_of_corners_that_run_into_edges(computed):
     contacts = computed("contacts", content.decode())
     kinds = set()
     for scenario, found in zip(parse(content), contacts, strict=True):
-        for obstacle, moment in zip(scenario.obstacles, found, strict=True):
+        for obstacle, contact in zip(scenario.obstacles, found, strict=True):
             expected = first_contact(scenario.robot, scenario.move, obstacle)
-            assert (None if moment is None else Fraction(moment)) == expected
+            assert (None if contact is None else Fraction(contact[0])) == expected
             touches = not apart(sweep(scenario.robot, scenario.move).vertices, obstacle)
             assert touches == (expected is not None)
             kinds.add(expected if expected in (None, 0, 1) else "between")
     assert kinds == {None, 0, 1, "between"}
+
+
+def test_at_the_first_contact_only_boundary_points_are_shared_also_far_away(computed):
+    rng = Rng(6)
+    robot = [(-LIMIT, -LIMIT), (-LIMIT + 7, -LIMIT + 1), (-LIMIT + 3, -LIMIT + 8)]
+    scenarios = []
+    for _ in range(200):
+        x, y = rng.between(-LIMIT // 2, LIMIT // 2), rng.between(-LIMIT // 2, LIMIT // 2)
+        move = (x + LIMIT + rng.between(0, 9**7), y + LIMIT + rng.between(0, 9**7))
+        wide = 10**7
+        obstacle = [(x + wide + 1, y), (x + wide, y + wide), (x, y + wide + 3)]
+        scenarios.append(Scenario(robot, move, [obstacle]))
+    found = computed("contacts", render(scenarios).decode())
+    moments = set()
+    for scenario, (contact,) in zip(scenarios, found, strict=True):
+        expected = first_contact(scenario.robot, scenario.move, scenario.obstacles[0])
+        assert (contact and Fraction(contact[0])) == expected
+        assert contact is None or contact[1] == "boundary"
+        moments.add(expected)
+    assert sum(moment is not None and moment.denominator > 10**9 for moment in moments) > 50
 
 
 def test_convexity_is_decided_as_in_the_kit(computed):
@@ -147,8 +167,12 @@ def test_faults_are_named_as_by_the_validator(computed):
     files = sorted((DATA / "invalid_input").glob("*.in"))
     assert len(files) > 40
     contents = [file.read_bytes() for file in files]
-    for file, content, found in zip(files, contents, faults(computed, contents), strict=True):
-        assert found == validator_says(content), file.name
+    for numbers in ("9" * 18 + " 0", "0 -" + "9" * 17 + "1", "-" + "9" * 18 + " " + "9" * 18):
+        contents.append(f"1\n3 0\n0 0\n{numbers}\n".encode())  # a Number would round them
+        contents.append(f"1\n3 0\n{numbers}\n".encode())
+        contents.append(f"1\n{numbers}\n".encode())
+    for content, found in zip(contents, faults(computed, contents), strict=True):
+        assert found == validator_says(content)
 
 
 def faults(computed, contents):
