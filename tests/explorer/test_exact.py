@@ -136,7 +136,10 @@ def test_at_the_first_contact_only_boundary_points_are_shared_also_far_away(comp
     scenarios = []
     for _ in range(200):
         x, y = rng.between(-LIMIT // 2, LIMIT // 2), rng.between(-LIMIT // 2, LIMIT // 2)
-        move = (x + LIMIT + rng.between(0, 9**7), y + LIMIT + rng.between(0, 9**7))
+        move = (
+            x + LIMIT + rng.between(5_000_000, 8_000_000),
+            y + LIMIT + rng.between(5_000_000, 8_000_000),
+        )
         wide = 10**7
         obstacle = [(x + wide + 1, y), (x + wide, y + wide), (x, y + wide + 3)]
         scenarios.append(Scenario(robot, move, [obstacle]))
