@@ -7,7 +7,7 @@ SEED ?= 1
 RUN := .venv/bin/python
 
 .DEFAULT_GOAL := help
-.PHONY: help setup data judge test test-all case figures stress strength mutants worlds calibrate \
+.PHONY: help setup data judge test test-all case figures stress strength mutants gallery worlds calibrate \
   check schema lint format types clean
 
 help: ## list these commands
@@ -55,6 +55,9 @@ strength: data ## show which submission fails in which group: build/strength.htm
 
 mutants: data ## make small changes to correct programs and check that the data notices each
 	@$(RUN) -m strength mutants
+
+gallery: .venv/.ready ## ask all wrong programs for their answers to the gallery; is each told its lesson?
+	@$(RUN) -m strength gallery
 
 calibrate: data ## measure the margins of the time limit
 	@$(RUN) -m judge.calibrate
