@@ -4,10 +4,10 @@
     ./checker.py SUBMISSION        ./checker.py < my.py        ./checker.py --help
 
 Any Python 3 may start it: outside the kit's own environment it hands over to that.
-What it does stands in judge/; its command line in judge/cli.py.
+What it does stands in judge/; its command line in judge/cli.py; stress/front.py adds --explain.
 """
 
 from judge.kit.door import start
 
 if __name__ == "__main__":
-    start("judge.cli", "checker.py")
+    start("stress.front", "checker.py")

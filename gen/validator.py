@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 r"""Input validator: stands alone, reads `problem.toml` beside the kit, and nothing else of it.
 
-    python gen/validator.py [--group NAME] [FILE]        (no FILE: standard input)
+    python gen/validator.py [--group NAME] [FILE ...]     (no FILE: standard input)
 
 It reads as the grammar of the input, token by token and byte by byte, and shares no
 code with the tools that read what teams print:
@@ -14,7 +14,7 @@ code with the tools that read what teams print:
 
 Exit status 0: valid. 1: not; one line says where, what was expected and what was found.
 2: usage. Lines are read with a bound, so a hostile file costs no more memory than a
-valid one, and the first fault ends the reading.
+valid one, and the first fault ends the reading, of later files, too.
 """
 
 from __future__ import annotations
@@ -268,23 +268,29 @@ def _shown(text: bytes) -> str:
 
 
 def main(arguments: list[str]) -> int:
-    """Validate one file; return the exit status."""
-    parser = argparse.ArgumentParser(description="Validate one input file.")
-    parser.add_argument("file", nargs="?", type=Path, metavar="FILE")
+    """Validate files up to the first that is not valid; return the exit status."""
+    parser = argparse.ArgumentParser(description="Validate input files.")
+    parser.add_argument("files", nargs="*", type=Path, metavar="FILE")
     parser.add_argument("--group", help="hold the file to this group's promises too")
     options = parser.parse_args(arguments)
-    name = str(options.file or "standard input")
-    if options.file is None and sys.stdin is None:
-        print(f"{name}: is closed", file=sys.stderr)
-        return 2
     try:
         rules = load_rules(options.group)
-        source = nullcontext(sys.stdin.buffer) if options.file is None else options.file.open("rb")
-        with source as stream:
-            validate(stream, rules)
     except UsageError as error:
         print(error, file=sys.stderr)
         return 2
+    statuses = (_status(file, rules) for file in options.files or [None])
+    return next((status for status in statuses if status), 0)
+
+
+def _status(file: Path | None, rules: Rules) -> int:
+    """Validate one file, None for standard input; print its fault and return the status."""
+    name = str(file or "standard input")
+    if file is None and sys.stdin is None:
+        print(f"{name}: is closed", file=sys.stderr)
+        return 2
+    try:
+        with nullcontext(sys.stdin.buffer) if file is None else file.open("rb") as stream:
+            validate(stream, rules)
     except OSError as error:
         print(f"{name}: cannot be read: {error.strerror}", file=sys.stderr)
         return 2

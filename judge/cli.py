@@ -11,17 +11,22 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from judge.kit.command import FAILED, add_jobs, run
+from judge.kit.command import FAILED, add_jobs, run, whole_number
 from judge.kit.errors import KitError
 from judge.kit.files import check_place, write_report
 from judge.kit.paths import DATA
 from judge.kit.processors import cores
 
 if TYPE_CHECKING:
+    from judge.judging import Search
     from judge.languages.submission import Submission
     from judge.results import Judging
 
+    MakeSearch = Callable[[int | None, bool], Search]
+
 EXIT_ACCEPTED, EXIT_REJECTED, EXIT_ERROR = 0, 1, FAILED
+
+EXPLAIN = "--explain looks for a smallest input that it gets wrong"
 
 EXAMPLES = """\
 examples:
@@ -40,14 +45,18 @@ class UsageError(KitError):
     """The options contradict each other or cannot be followed."""
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Judge as the arguments say and return the exit status."""
+def main(arguments: Sequence[str] | None = None, make_search: MakeSearch | None = None) -> int:
+    """Judge as the arguments say and return the exit status.
+
+    make_search: returns the search for a counterexample that repeats a seed, or one with a new
+    seed for None; the flag: add what it finds to the data. Without it there is no --explain.
+    """
     signal.signal(signal.SIGTERM, _interrupt)
     signal.signal(signal.SIGHUP, _interrupt)
     if sys.stdout is None:  # the exit status and the reports are useful alone
         sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115 (open until the process ends)
     interrupted = "interrupted, nothing is left running"
-    command = partial(_command, arguments)
+    command = partial(_command, arguments, make_search)
     return run("checker.py", command, interrupted=interrupted, reader_gone=EXIT_ERROR)
 
 
@@ -55,22 +64,30 @@ def _interrupt(_signal: int, _frame: object) -> None:
     raise KeyboardInterrupt
 
 
-def _command(arguments: Sequence[str] | None) -> int:
+def _command(arguments: Sequence[str] | None, make_search: MakeSearch | None) -> int:
     parser = _parser()
+    if make_search is not None:
+        _add_search(parser)
     asked = parser.parse_args(arguments)
     if asked.submission is None and sys.stdin.isatty():
         parser.print_help()
         return EXIT_ERROR
-    return _judge(asked)
+    if make_search is None:
+        return _judge(asked, None, "")
+    if not asked.explain:
+        return _judge(asked, None, EXPLAIN)
+    return _judge(asked, make_search(asked.seed, asked.add), "")
 
 
-def _judge(asked: argparse.Namespace) -> int:
+def _judge(asked: argparse.Namespace, search: Search | None, hint: str) -> int:
     # Imported here, so that help and usage errors appear at once.
-    from judge.judging import Options, judge
+    from judge.judging import UNEXPLAINED, Options, judge
     from judge.problem.declaration import load
     from judge.problem.verdict import Verdict
 
     problem = load()
+    if asked.make_answers:
+        _make_answers(asked.data)
     submission = _submission(asked)
     reports = _reports(asked)
     options = Options(
@@ -79,31 +96,50 @@ def _judge(asked: argparse.Namespace) -> int:
         globs=tuple(asked.case),
         jobs=asked.jobs,
         time_limit_s=asked.time_limit,
-        stop_on_first=asked.stop_on_first,
+        stop_on_first=not asked.all,
         no_wall=asked.no_wall,
     )
+    from judge.feedback import told
     from judge.kit.console import PlainConsole
     from judge.reports.terminal import live, print_report
 
     console = PlainConsole()
-    with live(console) as events:
-        judging = judge(submission, problem, options, events=events)
-    print_report(console, judging)
+    with live(console, problem.feedback) as events:
+        judging = judge(submission, problem, options, events=events, search=search)
+    permitted = told(judging, problem.feedback)
+    said = hint if problem.feedback.counterexample and judging.verdict not in UNEXPLAINED else ""
+    print_report(console, permitted, explain=search is not None, verbose=asked.verbose, hint=said)
     for write in reports:
-        write(judging)
+        write(permitted)
     if judging.verdict is Verdict.JE:
         return EXIT_ERROR
     return EXIT_ACCEPTED if judging.verdict is Verdict.AC else EXIT_REJECTED
 
 
+def _make_answers(directory: Path | None) -> None:
+    from judge.problem.given import make_answers
+    from judge.reports.words import shown
+
+    if directory is None:
+        raise UsageError("--make-answers: expected --data DIR, too")
+    for path in make_answers(directory.resolve()):
+        print(f"answered by the reference: {shown(path)}")
+
+
 def _reports(asked: argparse.Namespace) -> list[Callable[[Judging], None]]:
     """Return the functions that write the reports, after checking that their places can be used."""
+    from judge.reports.html import to_html
     from judge.reports.junit import to_junit
     from judge.reports.schema import to_json
 
     writers: list[Callable[[Judging], None]] = []
     taken = {Path(asked.submission or "-").absolute(): "the submission"}
-    for option, path, form in (("--json", asked.json, to_json), ("--junit", asked.junit, to_junit)):
+    asked_for = (
+        ("--json", asked.json, to_json),
+        ("--junit", asked.junit, to_junit),
+        ("--html", asked.html, to_html),
+    )
+    for option, path, form in asked_for:
         if path is None:
             continue
         check_place(option, path)
@@ -151,13 +187,32 @@ def _parser() -> argparse.ArgumentParser:
     add("--group", action="append", default=[], metavar="NAME", help="only this group; repeatable")
     add("--case", action="append", default=[], metavar="GLOB", help="only these cases; repeatable")
     add("--data", type=Path, metavar="DIR", help="use the .in/.ans pairs of this directory")
+    answers = "let the reference write the .ans files that are missing in --data DIR"
+    add("--make-answers", action="store_true", help=answers)
     add_jobs(parser, cores(), "runs")
     add("--time-limit", type=_seconds, metavar="SECONDS", help="CPU seconds per case, not scaled")
     add("--json", type=Path, metavar="FILE", help="write the results as JSON")
     add("--junit", type=Path, metavar="FILE", help="write the results as JUnit XML")
-    add("--stop-on-first", action="store_true", help="end each group at its first failure")
+    add("--html", type=Path, metavar="FILE", help="write the results as one page to look at")
+    rest = parser.add_mutually_exclusive_group()
+    rest.add_argument("--all", action="store_true", help="run the rest of a group after a failure")
+    stop = "end each group at its first failure, as its points are all or nothing (the default)"
+    rest.add_argument("--stop-on-first", action="store_true", help=stop)
+    add("--verbose", action="store_true", help="show all that is kept of standard error")
     add("--no-wall", action="store_true", help="judge even if no wall works here")
     return parser
+
+
+def _add_search(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--explain", action="store_true", help="show every missed lesson and a small counterexample"
+    )
+    parser.add_argument(
+        "--seed", type=whole_number(0), metavar="N", help="--explain: search as the seed N did"
+    )
+    parser.add_argument(
+        "--add", action="store_true", help="--explain: add the counterexample to data/"
+    )
 
 
 def _seconds(text: str) -> float:

@@ -10,6 +10,19 @@ from judge.compare import Mismatch
 from judge.problem.verdict import Verdict
 from judge.sandbox.facts import Facts, RunLimits, Stop
 
+# What the usual signals are called, and what they mean.
+SIGNALS: dict[int, tuple[str, str]] = {
+    signal.SIGSEGV: (
+        "segmentation fault",
+        "it read or wrote memory that is not its own "
+        "(an index out of range, or too deep a recursion?)",
+    ),
+    signal.SIGBUS: ("bus error", "it read or wrote memory that is not there"),
+    signal.SIGFPE: ("arithmetic error", "an integer was divided by zero"),
+    signal.SIGABRT: ("aborted", "it ended itself, as a failed check does"),
+    signal.SIGILL: ("illegal instruction", "did a function end without its return?"),
+}
+
 
 @dataclass(frozen=True, slots=True)
 class Judgement:
@@ -50,7 +63,7 @@ def decide(
             f"slept or waited: {facts.cpu_s:.2f} s of CPU time in {facts.elapsed_s:.1f} s",
         )
     if facts.signal is not None:
-        return Judgement(Verdict.RTE, _with_reason(_signal_name(facts.signal), reason))
+        return Judgement(Verdict.RTE, _signal_said(facts.signal, reason))
     if facts.exit_status != 0:
         return Judgement(Verdict.RTE, _with_reason(_exit_name(facts), reason))
     if mismatch is not None:
@@ -68,6 +81,19 @@ def _exit_name(facts: Facts) -> str:
     if status - 128 in signal.valid_signals():
         return f"exit status {status} (its own, or {_signal_name(status - 128)})"
     return f"exit status {status}"
+
+
+def _signal_said(number: int, reason: str) -> str:
+    """Say in plain words how a signal ended the program; an abort's own reason is better."""
+    if number not in SIGNALS:
+        return _with_reason(_signal_name(number), reason)
+    what, meaning = SIGNALS[number]
+    what = f"{what} ({signal.Signals(number).name})"
+    if not reason:
+        return f"{what}: {meaning}"
+    return (
+        f"{what}: {reason}" if number == signal.SIGABRT else f"{what}: {meaning}; it said: {reason}"
+    )
 
 
 def _signal_name(number: int) -> str:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from judge.diagnosis.diagnose import diagnose
+from judge.diagnosis.gallery import load_gallery
+from judge.explanation import Counterexample
 from judge.kept import KeptVerdicts
 from judge.kit.errors import KitError
 from judge.kit.paths import BRUTE_FORCE, DATA, REFERENCE, SUBMISSIONS
@@ -17,10 +20,14 @@ from judge.machine import kept_scale
 from judge.pool import Job, Pending, Pool, Ready
 from judge.problem.data import Data, load_data
 from judge.problem.declaration import Problem
+from judge.problem.order import judging_order
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging, Scale, first_failure, group_results, not_run
+from judge.run import Attempt
 from judge.sandbox.facts import RunLimits
 from judge.sandbox.probe import NoWallError
+
+UNEXPLAINED = (Verdict.AC, Verdict.CE, Verdict.JE)
 
 
 class JudgeError(KitError):
@@ -32,6 +39,8 @@ class Options:
     """What to judge on, and how. Empty groups or globs: all.
 
     time_limit_s: replaces the declared limit, and is not scaled to this machine.
+    stop_on_first: a group ends at its first failure, as its points are all or nothing; False:
+    every case is run.
     no_wall: if no wall works, run even programs that are not the kit's own.
     """
 
@@ -40,7 +49,7 @@ class Options:
     globs: tuple[str, ...] = ()
     jobs: int = 1
     time_limit_s: float | None = None
-    stop_on_first: bool = False
+    stop_on_first: bool = True
     no_wall: bool = False
 
 
@@ -53,6 +62,27 @@ class Events:
     result: Callable[[CaseResult], None] = lambda _result: None
 
 
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """A submission that was judged and is not accepted, and the means to find out more.
+
+    cases: the results, in order. attempts: runs it on texts of input files, `jobs` at a time,
+    and yields the runs in order. limits: those of the judging. say: tells the user what is
+    being done now.
+    """
+
+    submission: Submission
+    problem: Problem
+    cases: tuple[CaseResult, ...]
+    attempts: Callable[[Iterable[bytes], RunLimits], Iterator[Attempt]]
+    limits: RunLimits
+    jobs: int
+    say: Callable[[str], None]
+
+
+Search = Callable[[Failure], Counterexample | str]  # or why there is none; raises KitError
+
+
 def judge(
     submission: Submission,
     problem: Problem,
@@ -60,11 +90,13 @@ def judge(
     *,
     events: Events | None = None,
     executor: Executor | None = None,
+    search: Search | None = None,
 ) -> Judging:
     """Judge `submission` and return all results.
 
     executor: carries out `options.jobs` runs at a time; None: threads. Its workers
-    need the kit, the data at the same paths, and a place for scratch files.
+    need the kit, the data at the same paths, and a place for scratch files. search: finds the
+    counterexample for a program that is not accepted; None: there is none in the results.
     Raises KitError if nothing can be judged; a single run that fails for a fault of the
     machine is JE. After any exception, even Ctrl-C, no process and no file is left.
     """
@@ -82,12 +114,13 @@ def judge(
         compiling = pool.prepare()  # goes on while the data is checked
         data = load_data(problem, options.data, options.groups, options.globs, store)
         time_limit = _TimeLimit(problem, options.time_limit_s, pool, events)
+        cases = judging_order(options.data, data.chosen)
         ready = _ready(pool, compiling, submission)
         results: list[CaseResult] = []
         if not ready.compile_error:
-            events.start(len(data.chosen))
+            events.start(len(cases))
             for result in pool.in_order(
-                data.chosen,
+                cases,
                 time_limit.limits,
                 stop_on_first=options.stop_on_first,
                 limits_here=time_limit.limits_here,
@@ -98,7 +131,31 @@ def judge(
                 declared = replace(time_limit.limits, time_limit_s=time_limit.declared_s)
                 kept = KeptVerdicts(store, submission, declared, data.manifest)
                 kept.keep({r.case.name: r.verdict for r in results if r.verdict is not None})
-        return _judging(submission, problem, data, time_limit, results, ready)
+        else:
+            results = [not_run(case, "does not compile") for case in cases]
+        judging = _judging(submission, problem, data, time_limit, results, ready)
+        if judging.verdict in UNEXPLAINED or not problem.feedback.lessons:
+            return judging
+        events.phase("looking for the lesson")
+        diagnosis = diagnose(
+            load_gallery(), pool.attempts, time_limit.limits, problem, judging.cases
+        )
+        judging = replace(judging, diagnosis=diagnosis)
+        if search is None or not problem.feedback.counterexample:
+            return judging
+        failure = Failure(
+            submission,
+            problem,
+            judging.cases,
+            pool.attempts,
+            time_limit.limits,
+            options.jobs,
+            events.phase,
+        )
+        found = search(failure)
+        if isinstance(found, str):
+            return replace(judging, unexplained=found)
+        return replace(judging, counterexample=found)
 
 
 def _judging(
@@ -109,9 +166,7 @@ def _judging(
     results: list[CaseResult],
     ready: Ready,
 ) -> Judging:
-    """Return the whole judging; `results` are used only if the submission compiles."""
-    if ready.compile_error:
-        results = [not_run(case, "does not compile") for case in data.chosen]
+    """Return the whole judging."""
     groups = group_results(problem, data.all, results)
     if ready.compile_error:
         groups = tuple(replace(group, verdict=Verdict.CE, score=0) for group in groups)

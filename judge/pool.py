@@ -25,7 +25,7 @@ from judge.problem.cases import Case
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Scale, not_run
-from judge.run import run_case
+from judge.run import Attempt, run_case, run_input
 from judge.sandbox.facts import RunLimits
 from judge.sandbox.probe import NoWallError, walled_sandbox
 from judge.sandbox.sandbox import Sandbox
@@ -152,6 +152,12 @@ def run_task(job: Job, limits: RunLimits, case: Case) -> CaseResult:
         return CaseResult(case, Verdict.JE, 0.0, 0.0, 0.0, str(error))
 
 
+def input_task(job: Job, limits: RunLimits, content: bytes) -> Attempt:
+    """Task: run the submission on the text of an input file. Raises SandboxError."""
+    with _WORKERS.using(job) as worker:
+        return run_input(worker.sandbox, worker.compile(), limits, content)
+
+
 def scale_task(job: Job) -> Scale | None:
     """Task: measure how fast the worker's machine is. Raises MachineError, SandboxError."""
     with _WORKERS.using(job) as worker:
@@ -205,6 +211,19 @@ class Pool:
     def measure_scale(self) -> Scale | None:
         """Measure the machine's speed; see `scale_task`."""
         return self.result(self._start(scale_task, self._job))
+
+    def attempts(self, contents: Iterable[bytes], limits: RunLimits) -> Iterator[Attempt]:
+        """Yield one run per input, in order, `jobs` at a time. Raises SandboxError.
+
+        If the caller stops early, runs under way end by themselves.
+        """
+        running: deque[Pending[Attempt]] = deque()
+        for content in contents:
+            running.append(self._start(input_task, self._job, limits, content))
+            if len(running) > self._jobs:
+                yield self.result(running.popleft())
+        while running:
+            yield self.result(running.popleft())
 
     def result(self, pending: Pending[T]) -> T:
         """Wait for a result. If the worker broke, try again. Raises the KitError of the task."""

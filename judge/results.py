@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from judge.compare import Mismatch
+from judge.explanation import Counterexample, Diagnosis
 from judge.problem.cases import Case
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
@@ -30,7 +31,9 @@ class CaseResult:
 
     mismatch: for WA, the first difference. retried: it was over the declared
     time limit, and was repeated under that of this machine, which is slower; first_verdict: of
-    the first of these two runs, if it differs.
+    the first of these two runs, if it differs. stderr: what is kept of the standard error of a
+    program that is not accepted, as printable lines. withheld: the case's files and its
+    message may not be told; `case.name` is then only a number in its group.
     """
 
     case: Case
@@ -42,6 +45,8 @@ class CaseResult:
     retried: bool = False
     first_verdict: Verdict | None = None
     mismatch: Mismatch | None = None
+    stderr: str = ""
+    withheld: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,13 +69,15 @@ class GroupResult:
 
 @dataclass(frozen=True, slots=True)
 class Judging:
-    """All runs of one submission, in the order of the cases.
+    """All runs of one submission, in the order of judging.
 
     time_limit_s: the limit that held; declared_s: the one of problem.toml; scale: how many
     times slower than the calibrating machine this one is, and where that figure comes from,
     None if it was not needed. partial: the cases are not all of the kit's, so the score says
     less. message: the compiler's, for CE. wall: the wall around every run, or None.
-    limit_given: the time limit is not the declared one, scaled or not.
+    limit_given: the time limit is not the declared one, scaled or not. diagnosis: for a program
+    that ran and is not accepted, if feedback permits it; counterexample: if one was asked for,
+    permitted and found; unexplained: if one was asked for and not found, why.
     """
 
     submission: str
@@ -87,6 +94,9 @@ class Judging:
     message: str = ""
     wall: str | None = None
     limit_given: bool = False
+    diagnosis: Diagnosis | None = None
+    counterexample: Counterexample | None = None
+    unexplained: str = ""
 
     @property
     def cases(self) -> tuple[CaseResult, ...]:

@@ -1,4 +1,4 @@
-"""Draw scenarios: `python -m pictures figures`, `python -m pictures show FILE.in 3 > scene.svg`."""
+"""Draw scenarios: `python -m pictures figures`, `python -m pictures show FILE.in 3 -o a.svg`."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from judge.kit.command import run
-from judge.kit.files import write_whole
+from judge.kit.files import check_place, write_report, write_whole
 from judge.kit.paths import DATA, ROOT
 from pictures.draw import picture
+from pictures.explain import explain_picture
 from pictures.read import ReadError, read_scenarios
 
 FIGURES = ROOT / "docs" / "figures"
@@ -23,7 +24,7 @@ def main(arguments: Sequence[str]) -> int:
         options = _options(arguments)
         if options.command == "figures":
             return draw_figures(check=options.check)
-        return show_scenario(options.file, options.scenario)
+        return show_scenario(options.file, options.scenario, options.output)
 
     return run("pictures", command)
 
@@ -36,6 +37,7 @@ def _options(arguments: Sequence[str]) -> argparse.Namespace:
     show = commands.add_parser("show", help="print the picture of one scenario as SVG")
     show.add_argument("file", type=Path, help="an input file")
     show.add_argument("scenario", type=int, help="its number, counted from 1")
+    show.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the picture here")
     return parser.parse_args(arguments)
 
 
@@ -74,10 +76,19 @@ def draw_figures(*, check: bool) -> int:
     return STALE if check and stale else DONE
 
 
-def show_scenario(file: Path, number: int) -> int:
-    """Print the picture of one scenario. Return the exit status. Raises ReadError."""
+def show_scenario(file: Path, number: int, output: Path | None) -> int:
+    """Print or write the picture that explains one scenario. Return the exit status.
+
+    Raises ReadError, FileError.
+    """
+    check_place("--output", output)
     scenarios = read_scenarios(file)
     if not 1 <= number <= len(scenarios):
         raise ReadError(f"{file}: there is no scenario {number}, expected 1 to {len(scenarios)}")
-    print(picture([scenarios[number - 1]], [f"{file.name}, scenario {number}"]), end="")
+    title = f"{file.name}, scenario {number}"
+    svg = explain_picture(scenarios[number - 1], title=title)
+    if output is None:
+        print(svg, end="")
+    else:
+        write_report("--output", output, svg.encode)
     return DONE

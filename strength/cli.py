@@ -22,9 +22,12 @@ from judge.languages.submission import SubmissionError
 from judge.machine import scale_of
 from judge.problem.data import Data, load_data
 from judge.problem.declaration import Problem, load
+from judge.problem.order import save_order
 from judge.sandbox.sandbox import Sandbox
 from strength.analysis import Analysis, analyse
+from strength.gallery import cli as gallery
 from strength.mutants import cli as mutants
+from strength.order import telling_order
 from strength.page import page
 from strength.show import as_json, print_cases, print_findings, print_groups
 from strength.table import Matrix, build
@@ -36,6 +39,8 @@ def main(arguments: Sequence[str]) -> int:
     """Run the command line; return its exit status: 0 strong, 1 not, 2 failed."""
 
     def command() -> int:
+        if arguments[:1] == ["gallery"]:
+            return gallery.command(arguments[1:])
         if arguments[:1] == ["mutants"]:
             return mutants.command(arguments[1:])
         return _matrix_command(arguments)
@@ -57,6 +62,7 @@ def _matrix_command(arguments: Sequence[str]) -> int:
     add("--cases", action="store_true", help="print every verdict, case by case")
     add("--json", type=Path, metavar="FILE", help="write everything as JSON")
     add("--html", type=Path, metavar="FILE", help="write one page of tables")
+    add("--order", action="store_true", help="write data/order.json, the order of judging")
     add_jobs(parser, processors(), "submissions judged")
     options = parser.parse_args(arguments)
     check_place("--json", options.json)
@@ -68,6 +74,8 @@ def _matrix_command(arguments: Sequence[str]) -> int:
         if name not in known:
             near = did_you_mean(name, known)
             raise SubmissionError(f"{name}: problem.toml declares no such submission{near}")
+    if options.order and (options.submission or options.groups):
+        raise SubmissionError("--order: expected all submissions and groups, found only some")
     groups = [word for word in options.groups.split(",") if word] or problem.group_names
     with Store() as store:
         data = load_data(problem, groups=groups, store=store)
@@ -77,6 +85,9 @@ def _matrix_command(arguments: Sequence[str]) -> int:
     _print(matrix, analysis, time.perf_counter() - start, cases=options.cases)
     write_report("--json", options.json, lambda: as_json(matrix, analysis))
     write_report("--html", options.html, lambda: page(matrix, analysis, families).encode())
+    if options.order:
+        sizes = {case.name: case.input.stat().st_size for case in matrix.cases}
+        save_order(data.directory, telling_order(matrix, sizes))
     return FAULTS if analysis.faults else AS_DECLARED
 
 

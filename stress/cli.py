@@ -3,6 +3,9 @@
 random: tiny random scenarios; world: a complete small world; both for Python programs.
 complete: larger complete worlds for C++ programs, and parts of them for Python programs.
 all: random and world.
+
+`python -m stress my.cpp` searches for a smallest scenario that a program gets wrong, and
+`python -m stress table` does so for every wrong submission: see `stress.search`.
 """
 
 from __future__ import annotations
@@ -24,6 +27,7 @@ from stress.compare import File, Outcome, Program, compare, keep
 from stress.programs import CPP, PYTHON, ready
 from stress.worlds import World, box_world, grid_world
 
+COMPARISONS = ("random", "world", "complete", "all")
 AGREED, DISAGREED = 0, 1
 LEAST_SIDE, MOST_SIDE = 2, 4  # of the grids of complete worlds
 WORLD_PART = 31_250  # scenarios: of at most 16 vertices each, so 5 * 10^5 in a file
@@ -44,12 +48,21 @@ def main(arguments: Sequence[str]) -> int:
     """Run the command line; return the exit status: 0 agreed, 1 disagreed, 2 failed."""
 
     def command() -> int:
+        if not set(COMPARISONS) & set(arguments):
+            return _search_command(arguments)
         options = _options(arguments)
         with Sandbox() as sandbox:
             programs = _programs(options, sandbox)
             return max([_compare(task, programs, options.jobs) for task in _tasks(options)])
 
-    return run("stress", command)
+    return run("stress", command, interrupted="interrupted, nothing is left running")
+
+
+def _search_command(arguments: Sequence[str]) -> int:
+    """Search for a counterexample of one program, or of each submission: commands of a room."""
+    from stress.search import cli, table
+
+    return table.command(arguments[1:]) if arguments[:1] == ["table"] else cli.command(arguments)
 
 
 def _options(arguments: Sequence[str]) -> argparse.Namespace:
@@ -59,7 +72,7 @@ def _options(arguments: Sequence[str]) -> argparse.Namespace:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     add = parser.add_argument
-    add("what", choices=["random", "world", "complete", "all"])
+    add("what", choices=COMPARISONS)
     add("--seeds", type=whole_number(1), default=10, help="random: how many (default 10)")
     add(
         "--scenarios",

@@ -13,7 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 ENVIRONMENT = ROOT / ".venv"
 MINIMUM = (3, 11)
-PACKAGES = ("msgspec", "rich", "drawsvg")  # imported by commands
+PACKAGES = ("msgspec", "rich", "drawsvg", "jinja2")  # imported by commands
 FAILED, INTERRUPTED = 2, 130
 
 

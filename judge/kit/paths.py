@@ -10,4 +10,5 @@ DATA = ROOT / "data"
 BUILD = ROOT / "build"  # made by commands, never committed; may be deleted at any time
 SUBMISSIONS = ROOT / "submissions"
 REFERENCE = ROOT / "solution.py"
+VALIDATOR = ROOT / "gen" / "validator.py"
 BRUTE_FORCE = ROOT / "brute.py"

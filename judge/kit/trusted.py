@@ -29,18 +29,25 @@ def run_trusted(
 
     name: its name in messages. Raises ProgramError unless it ends with status 0 in time.
     """
+    run = run_to_end(name, command, content, timeout_s)
+    if run.returncode:
+        last = run.stderr.decode(errors="replace").strip().rpartition("\n")[2]
+        raise ProgramError(f"{name}: exit status {run.returncode}: {last}".removesuffix(": "))
+    return run.stdout
+
+
+def run_to_end(
+    name: str, command: Sequence[str], content: bytes = b"", timeout_s: float = TIMEOUT_S
+) -> subprocess.CompletedProcess[bytes]:
+    """Run a program on an input and return how it ended. Raises ProgramError if it does not."""
     try:
-        run = subprocess.run(
+        return subprocess.run(
             command, input=content, capture_output=True, timeout=timeout_s, check=False
         )
     except subprocess.TimeoutExpired:
         raise ProgramError(f"{name}: no answer within {timeout_s:.0f} s") from None
     except OSError as error:
         raise ProgramError(f"{name}: cannot be run: {error.strerror}") from None
-    if run.returncode:
-        last = run.stderr.decode(errors="replace").strip().rpartition("\n")[2]
-        raise ProgramError(f"{name}: exit status {run.returncode}: {last}".removesuffix(": "))
-    return run.stdout
 
 
 def read_answers(name: str, output: bytes, scenarios: int) -> list[str]:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import codecs
 import os
-import re
 import stat
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO
 
 from judge.kit.errors import KitError
-from judge.kit.text import printable_lines
+from judge.kit.text import printable_lines, printable_name
+from judge.languages.crash import crash_reason, shown_stderr
 from judge.languages.guess import guess
 from judge.languages.java import java_names
 from judge.languages.table import LANGUAGES, Language, by_suffix
@@ -55,14 +55,18 @@ class Program:
     command: Command
 
     def reason(self, stderr: bytes) -> str:
-        """Return the line of standard error that says why the program crashed; it may be empty.
+        """Return one line that says where and why the program crashed; it may be empty."""
+        if not stderr:
+            return ""
+        return crash_reason(self.submission.language, _names(self.submission)[0], stderr)
 
-        In most languages that is the last line.
-        """
-        lines = printable_lines(stderr, lines=1000, width=120).splitlines()
-        mark = self.submission.language.error_line
-        telling = [line for line in lines if mark and re.search(mark, line)][:1] or lines[-1:]
-        return "".join(telling)
+    def shown(self, stderr: bytes) -> str:
+        """Return standard error as printable lines that name the user's file; it may be empty."""
+        if not stderr:
+            return ""
+        name = printable_name(Path(self.submission.name).name) if self.submission.file else ""
+        source = _names(self.submission)[0]
+        return shown_stderr(stderr, source, name or source)
 
 
 def read_source(file: IO[bytes]) -> bytes:

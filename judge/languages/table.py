@@ -30,6 +30,8 @@ class Language(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     run: Words
     hints: Words
     error_line: str = ""
+    error_place: str = ""
+    newest_call_last: bool = False
     env: dict[str, str] = {}
     isolated_python: bool = False
 

@@ -13,6 +13,7 @@ from judge.kit.text import did_you_mean, printable_name
 from judge.problem.declaration import Problem
 
 REBUILD = "run 'make data'"
+MAKE_ANSWERS = "--make-answers lets the reference write"
 
 
 class CasesError(KitError):
@@ -54,23 +55,18 @@ def find_cases(directory: Path, problem: Problem) -> list[Case]:
     `invalid_input/` is skipped. Raises CasesError for half a pair, an empty answer
     file, or no case at all. O(n log n) for n files.
     """
-    if not directory.is_dir():
-        what = "not a directory" if directory.exists() else "no such directory"
-        raise CasesError(f"{directory}: {what}")
-    directory = directory.absolute()
     cases = []
-    for input_path in sorted(directory.rglob("*.in")):
-        name = printable_name(input_path.relative_to(directory).with_suffix("").as_posix())
-        if name.startswith("invalid_input/"):
-            continue
+    for input_path in input_files(directory):
+        name = _name(input_path, directory)
         answer = input_path.with_suffix(".ans")
         if not answer.is_file():
-            hint = f"; {REBUILD}" if directory == DATA else ""
-            raise CasesError(f"{answer}: the answer file of this test case is missing{hint}")
+            if directory == DATA:
+                raise CasesError(f"{answer}: the answer file is missing; {REBUILD}")
+            raise CasesError(f"{answer}: the answer file, which {MAKE_ANSWERS}, is missing")
         if _is_blank(answer):
             raise CasesError(f"{answer}: expected answers, found an empty file")
         cases.append(Case(name, group_of(name), input_path, answer))
-    for answer in sorted(directory.rglob("*.ans")):
+    for answer in sorted(directory.absolute().rglob("*.ans")):
         if not answer.with_suffix(".in").is_file():
             raise CasesError(f"{answer.with_suffix('.in')}: the input file of this case is missing")
     if not cases:
@@ -80,6 +76,25 @@ def find_cases(directory: Path, problem: Problem) -> list[Case]:
         cases,
         key=lambda c: (order.index(c.group) if c.group in order else len(order), c.group, c.name),
     )
+
+
+def input_files(directory: Path) -> list[Path]:
+    """Return the input file of every case below `directory`, sorted. Raises CasesError."""
+    if not directory.is_dir():
+        what = "not a directory" if directory.exists() else "no such directory"
+        raise CasesError(f"{directory}: {what}")
+    directory = directory.absolute()
+    return [
+        path
+        for path in sorted(directory.rglob("*.in"))
+        if not _name(path, directory).startswith("invalid_input/")
+    ]
+
+
+def _name(input_path: Path, directory: Path) -> str:
+    """Return the name of a case."""
+    name = input_path.relative_to(directory.absolute()).with_suffix("")
+    return printable_name(name.as_posix())
 
 
 def _is_blank(answer: Path) -> bool:

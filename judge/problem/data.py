@@ -11,6 +11,7 @@ from judge.kit.paths import DATA
 from judge.kit.store import Store
 from judge.problem.cases import REBUILD, Case, CasesError, find_cases, group_of, select
 from judge.problem.declaration import Problem
+from judge.problem.given import check_given
 from judge.problem.manifest import Manifest, file_faults, load_manifest
 
 
@@ -39,8 +40,9 @@ def load_data(
     """Find the test cases of `directory`; choose those of `groups` that match `globs`.
 
     Empty groups or globs: all. The kit's own directory must have every case of these groups. In
-    any directory, the chosen cases must match the manifest. store: keeps checksums, so that
-    unchanged files are not read again. Raises CasesError, ManifestError.
+    any directory, the chosen cases must match the manifest; in others, inputs and answers that
+    the manifest does not name are checked. store: keeps checksums, so that unchanged files are
+    not read again. Raises CasesError, ManifestError, ProgramError.
     """
     manifest = load_manifest(directory)
     cases = find_cases(directory, problem)
@@ -49,6 +51,8 @@ def load_data(
         check_complete(manifest, cases, wanted, directory)
     chosen = select(cases, groups, globs)
     check_unchanged(manifest, chosen, directory, Checksums(store))
+    if directory != DATA:
+        check_given([case for case in chosen if case.name not in manifest.cases])
     return Data(directory, tuple(cases), tuple(chosen), manifest)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import msgspec
 
@@ -73,6 +73,27 @@ class Group(Strict, frozen=True):
     zero_displacement: bool = False
 
 
+class Feedback(Strict, frozen=True):
+    """How much a report tells about a program that is not accepted.
+
+    tell: the verdict only; also the lessons that it misses; also a counterexample.
+    name_secret_cases: reports name the secret cases, and the place of a difference in them.
+    """
+
+    tell: Literal["verdict", "lessons", "counterexample"]
+    name_secret_cases: bool
+
+    @property
+    def lessons(self) -> bool:
+        """Whether missed lessons are told."""
+        return self.tell != "verdict"
+
+    @property
+    def counterexample(self) -> bool:
+        """Whether a counterexample is told."""
+        return self.tell == "counterexample"
+
+
 class Problem(Strict, frozen=True):
     """The content of `problem.toml`."""
 
@@ -82,6 +103,7 @@ class Problem(Strict, frozen=True):
     limits: Limits
     calibration: Calibration
     constraints: Constraints
+    feedback: Feedback
     groups: list[Group]
     folders: dict[str, dict[str, str]]
     submissions: dict[str, dict[str, str]]
@@ -164,6 +186,7 @@ def _known_keys(where: str) -> list[str]:
         "limits.time_multipliers": TimeMultipliers,
         "calibration": Calibration,
         "constraints": Constraints,
+        "feedback": Feedback,
         "groups": Group,
     }
     return list(tables[re.sub(r"\[.*?\]", "", where)].__struct_fields__)

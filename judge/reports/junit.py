@@ -75,6 +75,8 @@ def _case(suite: ET.Element, result: CaseResult) -> None:
         first = f", {result.first_verdict} at first" if result.first_verdict else ""
         facts += f", repeated{first}"
     ET.SubElement(test, "system-out").text = facts
+    if result.stderr:
+        ET.SubElement(test, "system-err").text = result.stderr
 
 
 def _add(test: ET.Element, kind: str, verdict: Verdict, message: str) -> None:

@@ -1,7 +1,7 @@
 """The JSON report. The types below define its schema.
 
-`make schema` writes docs/report.schema.json. Version 2 keeps all keys of version 1 and adds
-some: a reader of version 1 can read it if it skips unknown keys.
+`make schema` writes docs/report.schema.json. Each version keeps all keys of the one before and
+adds some: a reader of an earlier version can read it if it skips unknown keys.
 """
 
 from __future__ import annotations
@@ -10,12 +10,14 @@ from typing import Annotated
 
 import msgspec
 
+from judge.explanation import Counterexample, Diagnosis
 from judge.kit.files import write_whole
 from judge.kit.paths import ROOT
+from judge.kit.text import printable_name
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging
 
-SCHEMA_VERSION = 2
+SCHEMA_VERSION = 3
 FILE = ROOT / "docs" / "report.schema.json"
 
 
@@ -44,7 +46,9 @@ class CaseReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     wall_s: elapsed seconds. retried: repeated, as this machine is slower than the declared
     limit assumes; first_verdict: of the first run, if it differs. mismatch: for WA, new in
-    version 2.
+    version 2. New in version 3: stderr, what is kept of the standard error of a program that is
+    not accepted; withheld: problem.toml does not permit to name the case, so that `case` is only
+    its number in the group, and message, mismatch and stderr of a WA or RTE are empty.
     """
 
     case: str
@@ -57,6 +61,8 @@ class CaseReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     retried: bool
     first_verdict: Verdict | None
     mismatch: MismatchReport | None
+    stderr: str
+    withheld: bool
 
 
 class GroupReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -68,13 +74,67 @@ class GroupReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     max_score: Points
 
 
+class LessonReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A lesson that the program misses, and the gallery's scenarios that it answers wrongly."""
+
+    id: str
+    sentence: str
+    scenarios: list[str]
+
+
+class DiagnosisReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What a run on the gallery of tiny scenarios says; new in version 3.
+
+    lessons: those it misses, most telling first. remark: one sentence more, may be empty.
+    scenarios, wrong: how many the gallery holds, and how many are answered wrongly.
+    """
+
+    lessons: list[LessonReport]
+    remark: str
+    scenarios: int
+    wrong: int
+
+
+class LikeReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A submission of the kit that answers the whole gallery exactly alike; new in version 3.
+
+    submission: its path in submissions/. bug: completes `a program that ...`.
+    """
+
+    submission: str
+    bug: str
+
+
+class CounterexampleReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A smallest input that the program gets wrong; new in version 3.
+
+    input: the whole text. expected, found: of its last scenario; found says in words how the
+    program ended, if it did not answer. scenarios: more than 1 if the last answer depends on
+    the earlier scenarios. obstacles, vertices: of the last scenario. sentence: why the
+    expected answer is right. file: where the input is kept. seconds: the search took. steps:
+    remarks on the search.
+    """
+
+    input: str
+    expected: str
+    found: str
+    scenarios: int
+    obstacles: int
+    vertices: int
+    sentence: str
+    file: str | None
+    seconds: Seconds
+    steps: list[str]
+
+
 class Report(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A whole judging.
 
     scale: how many times slower this machine is than the calibrating one, null if it was not
     needed, not measurable, or the limit was given; scale_source: where that figure comes
     from, new in version 2. wall: the wall around every run, null for none. partial: not all
-    test cases of the kit were chosen; only groups judged whole score.
+    test cases of the kit were chosen; only groups judged whole score. New in version 3:
+    diagnosis, like, counterexample; each is null if there is none or it may not be told.
     """
 
     schema_version: int
@@ -93,6 +153,9 @@ class Report(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     wall: str | None
     groups: list[GroupReport]
     cases: list[CaseReport]
+    diagnosis: DiagnosisReport | None
+    like: LikeReport | None
+    counterexample: CounterexampleReport | None
 
 
 def report_of(judging: Judging) -> Report:
@@ -113,21 +176,27 @@ def report_of(judging: Judging) -> Report:
         scale_source=None if judging.scale is None else judging.scale.source,
         wall=judging.wall,
         groups=[GroupReport(g.name, g.verdict, g.score, g.max_score) for g in judging.groups],
-        cases=[
-            CaseReport(
-                case=r.case.name,
-                group=r.case.group,
-                verdict=r.verdict,
-                cpu_s=r.cpu_s,
-                wall_s=r.elapsed_s,
-                memory_mib=r.memory_mib,
-                message=r.message,
-                retried=r.retried,
-                first_verdict=r.first_verdict,
-                mismatch=_mismatch(r),
-            )
-            for r in judging.cases
-        ],
+        cases=[_case(result) for result in judging.cases],
+        diagnosis=_diagnosis(judging.diagnosis),
+        like=_like(judging.diagnosis),
+        counterexample=_counterexample(judging.counterexample),
+    )
+
+
+def _case(result: CaseResult) -> CaseReport:
+    return CaseReport(
+        case=result.case.name,
+        group=result.case.group,
+        verdict=result.verdict,
+        cpu_s=result.cpu_s,
+        wall_s=result.elapsed_s,
+        memory_mib=result.memory_mib,
+        message=result.message,
+        retried=result.retried,
+        first_verdict=result.first_verdict,
+        mismatch=_mismatch(result),
+        stderr=result.stderr,
+        withheld=result.withheld,
     )
 
 
@@ -136,6 +205,36 @@ def _mismatch(result: CaseResult) -> MismatchReport | None:
     if found is None:
         return None
     return MismatchReport(found.scenario, found.line, found.column, found.expected, found.found)
+
+
+def _diagnosis(found: Diagnosis | None) -> DiagnosisReport | None:
+    if found is None:
+        return None
+    lessons = [LessonReport(each.id, each.sentence, list(each.scenes)) for each in found.lessons]
+    return DiagnosisReport(lessons, found.remark, found.scenes, found.wrong)
+
+
+def _like(found: Diagnosis | None) -> LikeReport | None:
+    if found is None or found.like is None:
+        return None
+    return LikeReport(found.like.submission, found.like.bug)
+
+
+def _counterexample(found: Counterexample | None) -> CounterexampleReport | None:
+    if found is None:
+        return None
+    return CounterexampleReport(
+        input=found.input,
+        expected=found.expected,
+        found=found.found,
+        scenarios=found.scenarios,
+        obstacles=found.obstacles,
+        vertices=found.vertices,
+        sentence=found.sentence,
+        file=None if found.file is None else printable_name(str(found.file)),
+        seconds=found.seconds,
+        steps=list(found.steps),
+    )
 
 
 def to_json(judging: Judging) -> bytes:

@@ -160,6 +160,14 @@ def test_the_program_stands_alone():
     assert run(ROOT)[0] == 2
 
 
+def test_several_files_are_read_up_to_the_first_fault(tmp_path: Path):
+    good, bad = tmp_path / "good.in", tmp_path / "bad.in"
+    good.write_bytes(SAMPLE)
+    bad.write_bytes(b"0\n")
+    assert run(good, good) == (0, "")
+    assert run(good, bad, bad) == (1, f"{bad}:1: t: expected 1..100000, found 0\n")
+
+
 def test_a_broken_declaration_is_one_clear_line(tmp_path: Path):
     for text in ("", "constraints = 3", "[constraints]\nmax = 1\n[[groups]]\nname = 'a'"):
         (tmp_path / "problem.toml").write_text(text)

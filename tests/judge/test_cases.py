@@ -21,6 +21,7 @@ from judge.problem.manifest import (
     save_manifest,
     sum_of,
 )
+from judge.problem.order import OrderError, judging_order, save_order
 
 PROBLEM = load()
 
@@ -191,3 +192,20 @@ def test_a_broken_manifest_is_an_error(data: Path, content: bytes) -> None:
     (data / "manifest.json").write_bytes(content)
     with pytest.raises(ManifestError, match=r"manifest\.json: not a manifest"):
         load_manifest(data)
+
+
+def test_the_order_of_judging(data: Path) -> None:
+    """Cases that order.json names come first; strange names are skipped; groups stay."""
+    for ending in (".in", ".ans"):
+        (data / f"secret/small/03{ending}").write_text("NO\n")
+    cases = find_cases(data, PROBLEM)
+    by_name = [case.name for case in cases]
+    assert [case.name for case in judging_order(data, cases)] == by_name
+    save_order(data, ["secret/small/03", "secret/gone/01", "secret/small/02", "sample/01"])
+    assert [case.name for case in judging_order(data, cases)] == [
+        *("sample/01", "secret/static/01"),
+        *("secret/small/03", "secret/small/02", "secret/small/01"),
+    ]
+    (data / "order.json").write_text('{"version": 1, "case": []}')
+    with pytest.raises(OrderError, match=r"order\.json: not an order of cases"):
+        judging_order(data, cases)

@@ -69,7 +69,8 @@ def test_a_killed_part_changes_no_verdict_and_leaves_nothing(
     scratch, report = tmp_path / "scratch", tmp_path / "report.json"
     scratch.mkdir()
     command = [sys.executable, str(ROOT / "checker.py"), str(source("echo.py", ECHO))]
-    options = ["--data", str(data), "--jobs", "2", "--time-limit", "5", "--json", str(report)]
+    options = ["--data", str(data), "--jobs", "2", "--time-limit", "5", "--all"]
+    options += ["--json", str(report)]
     with subprocess.Popen(
         [*command, *options],
         stdout=subprocess.DEVNULL,

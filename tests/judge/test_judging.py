@@ -16,6 +16,7 @@ from judge.languages.submission import Program, Submission, read_submission
 from judge.languages.table import by_name
 from judge.problem.cases import Case
 from judge.problem.declaration import load
+from judge.problem.order import save_order
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging, Scale
 from judge.run import run_case
@@ -72,7 +73,7 @@ def test_one_wrong_case_loses_its_group_only(source: Source, data: Path) -> None
 
 def test_the_first_failure_in_order_is_the_verdict(source: Source, data: Path) -> None:
     code = "s = open(0).read()\nif len(s) < 9: raise SystemExit(len(s))\nprint(1)\n"
-    outcome = judged(source("both.py", code), data, jobs=2)
+    outcome = judged(source("both.py", code), data, jobs=2, stop_on_first=False)
     assert [r.verdict for r in outcome.cases] == ["RTE", "RTE", "RTE", "WA"]
     assert outcome.verdict is Verdict.RTE
 
@@ -87,10 +88,22 @@ def test_a_part_of_a_group_scores_nothing(source: Source, data: Path) -> None:
 @pytest.mark.parametrize("jobs", [1, 3])
 def test_stop_on_first(source: Source, data: Path, jobs: int) -> None:
     code = "s = open(0).read()\nprint('?' if s == 'YES\\nYES\\n' else s)\n"
-    outcome = judged(source("wrong.py", code), data, stop_on_first=True, jobs=jobs)
+    outcome = judged(source("wrong.py", code), data, jobs=jobs)
     assert [r.verdict for r in outcome.cases] == ["AC", "AC", "WA", None]
     assert outcome.cases[3].message == "not run: an earlier case of its group failed"
     assert outcome.score == 15
+
+
+@pytest.mark.parametrize("jobs", [1, 3])
+def test_every_case_on_request_and_in_the_order_of_judging(
+    source: Source, data: Path, jobs: int
+) -> None:
+    save_order(data, ["secret/small/02"])
+    code = "s = open(0).read()\nprint('?' if s == 'YES\\nYES\\n' else s)\n"
+    outcome = judged(source("wrong.py", code), data, stop_on_first=False, jobs=jobs)
+    names = [result.case.name for result in outcome.cases]
+    assert names[2:] == ["secret/small/02", "secret/small/01"]
+    assert [r.verdict for r in outcome.cases] == ["AC", "AC", "AC", "WA"]
 
 
 def test_a_compile_error_is_a_verdict(source: Source, data: Path) -> None:
@@ -162,7 +175,8 @@ class Overloaded(Executor):
 def test_one_try_decides(source: Source, data: Path, cpu_s: float, jobs: int) -> None:
     """A program that is slow at random gets no other try, however little it was over the limit."""
     executor = Overloaded(cpu_s)
-    outcome = judged(source("echo.py", ECHO), data, jobs=jobs, executor=executor)
+    path = source("echo.py", ECHO)
+    outcome = judged(path, data, jobs=jobs, executor=executor, stop_on_first=False)
     assert executor.runs == 4
     assert {r.verdict for r in outcome.cases} == {Verdict.TLE}
     assert {r.retried for r in outcome.cases} == {False}

@@ -161,7 +161,8 @@ def test_the_machine_is_measured_once_a_verdict_depends_on_it(
     monkeypatch.setattr("judge.judging.kept_scale", lambda _problem: None)
     executor = Slow(scale)
     submission = read_submission(source("echo.py", ECHO))
-    outcome = judge(submission, PROBLEM, Options(data=data, jobs=1), executor=executor)
+    options = Options(data=data, jobs=1, stop_on_first=False)
+    outcome = judge(submission, PROBLEM, options, executor=executor)
     assert outcome.verdict is verdict
     assert outcome.scale == scale
     assert executor.measured == 1

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
 import pytest
 
+from judge.explanation import Counterexample, Diagnosis, Like, MissedLesson
 from judge.kit.paths import ROOT
 from judge.problem.cases import Case
 from judge.problem.verdict import Verdict
@@ -37,6 +39,52 @@ def test_the_committed_schema_is_current() -> None:
 
 def test_a_report_follows_the_schema() -> None:
     assert msgspec.json.decode(to_json(JUDGING), type=Report) == report_of(JUDGING)
+
+
+def test_a_report_of_a_program_that_is_explained() -> None:
+    """And what is in it, word by word: other tools show it."""
+    diagnosis = Diagnosis(
+        (MissedLesson("touch", "Touching is a collision.", ("corner", "edge")),),
+        Like("wrong_answer/strict_touch.py", "takes touching for free"),
+        "a remark",
+        scenes=96,
+        wrong=12,
+    )
+    example = Counterexample(
+        *("1\n", "NO", "YES", 1, 2, 7, "because"), "<svg/>", Path("x.in"), 1.25, ("seed 7",)
+    )
+    explained = replace(JUDGING, diagnosis=diagnosis, counterexample=example)
+    text = to_json(explained)
+    assert msgspec.json.decode(text, type=Report) == report_of(explained)
+    found = msgspec.json.decode(text)
+    assert found["diagnosis"] == {
+        "lessons": [
+            {
+                "id": "touch",
+                "sentence": "Touching is a collision.",
+                "scenarios": ["corner", "edge"],
+            }
+        ],
+        "remark": "a remark",
+        "scenarios": 96,
+        "wrong": 12,
+    }
+    assert found["like"] == {
+        "submission": "wrong_answer/strict_touch.py",
+        "bug": "takes touching for free",
+    }
+    assert found["counterexample"] == {
+        **{"input": "1\n", "expected": "NO", "found": "YES", "sentence": "because"},
+        **{"scenarios": 1, "obstacles": 2, "vertices": 7},
+        **{"file": "x.in", "seconds": 1.25, "steps": ["seed 7"]},
+    }
+    for kind, part in [
+        ("DiagnosisReport", found["diagnosis"]),
+        ("LessonReport", found["diagnosis"]["lessons"][0]),
+        ("LikeReport", found["like"]),
+        ("CounterexampleReport", found["counterexample"]),
+    ]:
+        assert set(msgspec.json.decode(json_schema())["$defs"][kind]["required"]) == set(part)
 
 
 def test_the_schema_names_every_field_and_no_other() -> None:

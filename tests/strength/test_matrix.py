@@ -7,6 +7,7 @@ import pytest
 
 from judge.kit.paths import DATA
 from judge.kit.store import Store
+from judge.languages.submission import SubmissionError
 from judge.problem.cases import Case
 from judge.problem.data import load_data
 from judge.problem.declaration import load
@@ -14,6 +15,8 @@ from judge.problem.manifest import Entry, load_manifest, save_manifest, sum_of
 from judge.problem.verdict import Verdict
 from judge.sandbox.sandbox import Sandbox
 from strength.analysis import analyse
+from strength.cli import _matrix_command
+from strength.order import _ordered, telling_order
 from strength.page import page
 from strength.show import as_json
 from strength.table import Matrix, Row, build
@@ -154,3 +157,20 @@ def test_json_holds_every_verdict():
     assert content["version"] == 1
     assert list(content["submissions"][0]["cases"].values()) == ["WA", "AC", "WA", "TLE"]
     assert content["submissions"][0]["groups"]["small"]["killed"] == 1
+
+
+def test_the_order_of_judging_takes_what_kills_most_for_its_cost():
+    """Until all are killed; then all count again. What kills nothing comes last, small first."""
+    matrix = made(a=[WA, AC, WA, AC], b=[WA, AC, AC, AC], c=[AC, WA, AC, AC], d=[AC, AC, AC, AC])
+    sizes = {case.name: 10 for case in matrix.cases}
+    assert telling_order(matrix, sizes) == [
+        f"secret/{n}" for n in ("small/1", "small/2", "large/1", "large/2")
+    ]
+    costly = sizes | {"secret/small/1": 10_000_000}
+    assert telling_order(matrix, costly)[:2] == ["secret/small/2", "secret/small/1"]
+    three = {"x": {"a", "b"}, "y": {"a", "b"}, "z": {"c"}}
+    assert list(_ordered(list(three), three, dict.fromkeys(three, 10))) == ["x", "z", "y"]
+    again = made(a=[WA, WA, AC, WA], b=[WA, AC, AC, AC], c=[WA, WA, AC, WA])
+    assert telling_order(again, sizes)[2:] == ["secret/large/2", "secret/large/1"]
+    with pytest.raises(SubmissionError, match="--order: expected all submissions"):
+        _matrix_command(["--order", YES])

@@ -5,7 +5,8 @@ from __future__ import annotations
 import contextlib
 import os
 
-STDERR_BYTES = 8192
+STDERR_BYTES = 8192  # of both ends, and what stands between them
+HEAD_BYTES, TAIL_BYTES = 4096, 4032
 BLOCK_BYTES = 1 << 16
 
 
@@ -42,15 +43,22 @@ class Feeder:
 
 
 class Sink:
-    """Writes at most `limit` bytes of standard output to a file; keeps the head of stderr."""
+    """Writes at most `limit` bytes of standard output to a file; keeps both ends of stderr."""
 
     def __init__(self, stdout: int, stderr: int, file: int, limit: int) -> None:
         self.open_fds = [stdout, stderr]
         self.written = 0
-        self.stderr = b""
         self._stderr_fd = stderr
+        self._head = self._tail = b""
+        self._left_out = 0  # bytes of standard error between head and tail
         self._file = file
         self._limit = limit
+
+    @property
+    def stderr(self) -> bytes:
+        """The beginning and the end of standard error: a crash may be explained at either."""
+        between = b"\n... %d bytes left out ...\n" % self._left_out if self._left_out else b""
+        return self._head + between + self._tail
 
     def take(self, fd: int) -> bool:
         """Read once without waiting; return whether more may come. Closes `fd` at its end."""
@@ -80,7 +88,11 @@ class Sink:
         """Read once; return False at the end of the pipe. Raises BlockingIOError."""
         block = os.read(fd, BLOCK_BYTES)
         if fd == self._stderr_fd:
-            self.stderr += block[: STDERR_BYTES - len(self.stderr)]
+            room = HEAD_BYTES - len(self._head)
+            self._head += block[:room]
+            rest = self._tail + block[room:]
+            self._tail = rest[-TAIL_BYTES:]
+            self._left_out += len(rest) - len(self._tail)
         else:
             _write_all(self._file, block[: max(0, self._limit - self.written)])
         self.written += len(block)

@@ -71,8 +71,8 @@ class Facts(NamedTuple):
     to end; memory_mib: the largest sum of resident memory seen over the tree;
     output_bytes: what it wrote to standard output and standard error;
     stopped: the limit for which it was stopped, None if it ended by itself;
-    stderr: the first few KiB of standard error; all_ended: no process of it is left. One
-    that dies slowly has no more say, but the keeper that waited for it takes no more requests.
+    stderr: the first and the last few KiB of standard error; all_ended: no process of it is
+    left. One that dies slowly has no more say, but its keeper takes no more requests.
     """
 
     exit_status: int | None

@@ -1,0 +1,124 @@
+"""Diagnoses a program that is not accepted: which lessons it misses, or what else is left."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from judge.diagnosis.asking import Answers, Attempts, Steadiness, ask
+from judge.diagnosis.gallery import Gallery
+from judge.diagnosis.ranking import known_alike, missed_lessons, wrong_scenes
+from judge.diagnosis.shape import has_other_words, letters, remark_on
+from judge.explanation import Diagnosis, MissedLesson
+from judge.problem.declaration import Problem
+from judge.problem.verdict import Verdict
+from judge.results import CaseResult
+from judge.sandbox.facts import RunLimits
+
+# Lessons that no scene teaches: they show in how the output looks, or in the exit status.
+ANSWERS, CHANCE, SEPARATE = "answers", "chance", "separate-scenarios"
+ONE_LINE_EACH, EXIT_STATUS = "one-line-each", "exit-status"
+DIAGNOSED = (Verdict.WA, Verdict.RTE)
+
+
+def diagnose(
+    gallery: Gallery,
+    attempts: Attempts,
+    limits: RunLimits,
+    problem: Problem,
+    cases: Sequence[CaseResult],
+) -> Diagnosis | None:
+    """Run a program on the gallery and return what that says; None without a WA or RTE.
+
+    attempts: runs the program on input files, and yields the runs in order. cases: the results
+    of its judging. Raises SandboxError.
+    """
+    if not any(result.verdict in DIAGNOSED for result in cases):
+        return None
+    answers = ask(gallery, attempts, limits)
+    diagnosis = read(gallery, answers)
+    if diagnosis.lessons or diagnosis.remark:
+        return diagnosis
+    return Diagnosis((), None, what_is_left(problem, cases), diagnosis.scenes, 0)
+
+
+def read(gallery: Gallery, answers: Answers) -> Diagnosis:
+    """Return what a program's answers to the gallery say. Pure."""
+    by_scenes = missed_lessons(gallery, answers.letters)
+    by_shape = [
+        MissedLesson(lesson, gallery.lessons[lesson].sentence, ())
+        for lesson in _lessons_of_shape(gallery, answers)
+    ]
+    like = known_alike(gallery, answers.letters) if answers.in_step else None
+    lessons = (*by_shape, *by_scenes)
+    if like is not None:  # its bug is known, so its lessons come first
+        missed = gallery.lessons_of(like.submission)
+        lessons = tuple(sorted(lessons, key=lambda lesson: lesson.id not in missed))
+    if by_shape and by_shape[0].id in (ANSWERS, CHANCE):
+        lessons = tuple(by_shape)  # the scenes say nothing about such a program
+    elif not answers.in_step and by_scenes and len(by_scenes) <= 2:
+        lessons = (*by_scenes, *by_shape)  # it is out of step because of a few scenes
+    wrong = wrong_scenes(gallery, answers.letters)
+    return Diagnosis(lessons, like, _remark(gallery, answers), len(gallery.scenes), len(wrong))
+
+
+def _lessons_of_shape(gallery: Gallery, answers: Answers) -> list[str]:
+    whole = answers.whole
+    if answers.steadiness is Steadiness.CHANCE:
+        return [CHANCE]
+    if answers.steadiness is Steadiness.DEPENDS:
+        return [SEPARATE]
+    asked = len(gallery.scenes) + len(gallery.echoes)
+    found = letters(whole.output)
+    lessons = []
+    if has_other_words(whole.output):
+        lessons.append(ONE_LINE_EACH)
+    if answers.in_step:
+        flipped = gallery.expected.translate(str.maketrans("YN", "NY"))
+        if len(set(answers.letters)) == 1 or answers.letters == flipped:
+            lessons.append(ANSWERS)
+        return lessons
+    right = not wrong_scenes(gallery, answers.letters)
+    crashed = whole.judgement.verdict is not Verdict.AC
+    if crashed and found[: len(gallery.scenes)] == gallery.expected and len(found) == asked:
+        return [EXIT_STATUS]
+    if not lessons and not crashed and len(found) != asked:
+        lessons.append(ONE_LINE_EACH)
+    if right and crashed:
+        lessons.append(SEPARATE)
+    return lessons
+
+
+def _remark(gallery: Gallery, answers: Answers) -> str:
+    whole = answers.whole
+    if whole.judgement.verdict is Verdict.AC:
+        scenes = [*gallery.scenes, *(gallery.scenes[index] for index in gallery.echoes)]
+        expected = "".join(scene.answer[0] for scene in scenes)
+        return remark_on(whole.output, expected, [s.obstacles for s in scenes])
+    return ""
+
+
+def what_is_left(problem: Problem, cases: Sequence[CaseResult]) -> str:
+    """Return a sentence for a program that answers the whole gallery correctly. Pure."""
+    bounds, small = problem.constraints, _small_groups(problem)
+    failed = [result for result in cases if result.verdict in DIAGNOSED]
+    right = "It answers every gallery scene correctly, so its idea is right. "
+    vertices = f"up to {bounds.max_vertices:,} vertices"
+    if any(result.case.group in small for result in failed):
+        return (
+            f"{right}It fails on small files: what is left is precision (coordinates go up to "
+            f"{bounds.max_coordinate:,}, so their products go beyond 2^53), or a rare position."
+        )
+    if any(result.verdict is Verdict.RTE for result in failed):
+        return (
+            f"{right}It crashes on large files only: look at array sizes and the depth of "
+            f"recursion ({vertices} and {bounds.max_scenarios:,} scenarios in a file)."
+        )
+    return (
+        f"{right}It fails on large files only: look at fixed sizes and limits on steps "
+        f"({vertices} and {bounds.max_scenarios:,} scenarios in a file)."
+    )
+
+
+def _small_groups(problem: Problem) -> frozenset[str]:
+    """Return the names of the groups whose files are small by their promise."""
+    return frozenset(group.name for group in problem.groups if group.max_vertices is not None)

@@ -1,0 +1,110 @@
+"""Which lessons the answers to the gallery say are missed, most telling first. Pure."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+
+from judge.diagnosis.gallery import NOT_ASKED, Gallery
+from judge.explanation import Like, MissedLesson
+
+NEAR = Fraction(4, 5)  # below it, the nearest known program misleads as often as it helps
+
+
+def missed_lessons(
+    gallery: Gallery, answers: str, leave_out: Iterable[str] = ()
+) -> tuple[MissedLesson, ...]:
+    """Return the lessons that wrong answers point to, most telling first.
+
+    answers: one letter a scene: Y, N, NO_ANSWER or NOT_ASKED. leave_out: known submissions
+    to ignore. A known program that is wrong in nearly the same scenes decides first. Else each
+    lesson counts by its own scenes and by its condition, if it has one. O(scenes * known).
+    """
+    wrong = wrong_scenes(gallery, answers)
+    ignored = frozenset(leave_out)
+    known = {
+        name: wrong_scenes(gallery, given)
+        for name, given in gallery.known.items()
+        if name not in ignored
+    }
+    own: dict[str, list[int]] = {lesson: [] for lesson in gallery.lessons}
+    for index in sorted(wrong):
+        own[gallery.scenes[index].lesson].append(index)
+    first = _lessons_of_nearest(gallery, wrong, known)
+    order = list(gallery.lessons)
+
+    def rank(lesson: str) -> tuple[bool, Fraction, int]:
+        weight = _by_own_scenes(gallery, lesson, own[lesson], known)
+        weight += _by_condition(gallery, lesson, wrong)
+        return lesson not in first, -weight, order.index(lesson)
+
+    return tuple(
+        MissedLesson(
+            lesson,
+            gallery.lessons[lesson].sentence,
+            tuple(gallery.scenes[index].name for index in own[lesson]),
+        )
+        for lesson in sorted(order, key=rank)
+        if own[lesson]
+    )
+
+
+def wrong_scenes(gallery: Gallery, answers: str) -> frozenset[int]:
+    """Return the indices of the scenes that were asked and are not answered correctly."""
+    pairs = zip(answers, gallery.expected, strict=True)
+    return frozenset(
+        index for index, (found, expected) in enumerate(pairs) if found not in (expected, NOT_ASKED)
+    )
+
+
+def known_alike(gallery: Gallery, answers: str) -> Like | None:
+    """Return the known submission that gives exactly these answers; None if they are right."""
+    if answers == gallery.expected:
+        return None
+    for name, given in gallery.known.items():
+        if given == answers:
+            for lesson in gallery.lessons.values():
+                if name in lesson.missed_by:
+                    return Like(name, lesson.missed_by[name])
+    return None
+
+
+def _by_own_scenes(
+    gallery: Gallery, lesson: str, failed: Iterable[int], known: Mapping[str, frozenset[int]]
+) -> Fraction:
+    """Weigh the scenes of a lesson that are wrong: the fewer ideas a scene takes, the more.
+
+    The ideas of a scene are the lessons missed by the known programs that are wrong in it.
+    """
+    weight = Fraction()
+    for index in failed:
+        ideas = {lesson}
+        for name, wrong in known.items():
+            if index in wrong:
+                ideas |= gallery.lessons_of(name) & gallery.taught
+        weight += Fraction(1, len(ideas))
+    return weight / (1 + sum(scene.lesson == lesson for scene in gallery.scenes))
+
+
+def _by_condition(gallery: Gallery, lesson: str, wrong: frozenset[int]) -> Fraction:
+    """Compare the wrong scenes with those in which a lesson matters: from -1 to 1.
+
+    1: the same scenes; 0 also for a lesson without a condition; -1: none in common.
+    """
+    matters = gallery.conditions.get(lesson)
+    if not matters or not wrong:
+        return Fraction()
+    alike = Fraction(len(wrong & matters), len(wrong | matters))
+    return alike - Fraction(len(wrong - matters), len(wrong))
+
+
+def _lessons_of_nearest(
+    gallery: Gallery, wrong: frozenset[int], known: Mapping[str, frozenset[int]]
+) -> frozenset[str]:
+    """Return the lessons of the known program that is wrong in nearly the same scenes, if any."""
+    nearest, best = "", Fraction(0)
+    for name, others in known.items():
+        likeness = Fraction(len(wrong & others), len(wrong | others) or 1)
+        if likeness > best:
+            nearest, best = name, likeness
+    return gallery.lessons_of(nearest) if best >= NEAR else frozenset()

@@ -1,0 +1,68 @@
+"""What a report tells about a program that is not accepted: the lessons it misses, a scenario."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+
+@dataclass(frozen=True, slots=True)
+class MissedLesson:
+    """A lesson that a program misses: its id, its sentence, the gallery scenes answered wrongly."""
+
+    id: str
+    sentence: str
+    scenes: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Like:
+    """A wrong submission of the kit that answers every gallery scene in the same way.
+
+    submission: its path in submissions/. bug: what it does wrong, as in `takes touching for free`.
+    """
+
+    submission: str
+    bug: str
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnosis:
+    """What a program's run on the gallery says about it.
+
+    lessons: those it misses, most telling first. like: None unless a submission of the kit
+    answers exactly alike. remark: one sentence that needs no scene, such as what is left
+    when the program answers the whole gallery correctly; empty if there is none. scenes: how many
+    the gallery holds; wrong: how many of them the program does not answer correctly.
+    """
+
+    lessons: tuple[MissedLesson, ...]
+    like: Like | None
+    remark: str
+    scenes: int
+    wrong: int
+
+
+@dataclass(frozen=True, slots=True)
+class Counterexample:
+    """A smallest input that a program gets wrong.
+
+    input: the whole text of the input file. expected, found: the answers to its last scenario;
+    found says how the program ended, in words, if it crashed or ran out of time. scenarios: 1,
+    or more if the answer to the last one depends on those before it. obstacles, vertices: of
+    the last scenario. sentence: why the expected answer is right. picture: SVG text, empty if
+    there is none. file: where the input is kept, None if it is kept nowhere. seconds: what the
+    search took. steps: remarks on the search, such as the seed that repeats it.
+    """
+
+    input: str
+    expected: str
+    found: str
+    scenarios: int
+    obstacles: int
+    vertices: int
+    sentence: str
+    picture: str = ""
+    file: Path | None = None
+    seconds: float = 0.0
+    steps: tuple[str, ...] = field(default=())

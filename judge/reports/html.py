@@ -1,0 +1,81 @@
+"""The report as one HTML page that needs nothing else: `checker.py --html FILE`."""
+
+from __future__ import annotations
+
+import base64
+from collections import Counter
+
+from judge.explanation import Counterexample
+from judge.kit.text import counted
+from judge.problem.verdict import Verdict
+from judge.reports import words
+from judge.reports.page import render
+from judge.results import CaseResult, GroupResult, Judging
+
+MEANING = {
+    Verdict.AC: "accepted",
+    Verdict.WA: "wrong answer",
+    Verdict.TLE: "time limit exceeded",
+    Verdict.RTE: "run-time error",
+    Verdict.MLE: "memory limit exceeded",
+    Verdict.OLE: "output limit exceeded",
+    Verdict.CE: "compile error",
+    Verdict.JE: "judge error",
+}
+
+
+def to_html(judging: Judging) -> bytes:
+    """Return the report as a page."""
+    failure, example = judging.first_failure, judging.counterexample
+
+    def share(result: CaseResult) -> float:
+        return min(100.0, 100.0 * result.cpu_s / judging.time_limit_s)
+
+    page = render(
+        "judging.html",
+        judging=judging,
+        groups=judging.groups,
+        failure=failure,
+        scenario=None if failure is None else words.failing_scenario(failure),
+        short=words.SHORT_LINES,
+        diagnosis=judging.diagnosis,
+        example=example,
+        picture="" if example is None else _picture(example),
+        meaning=MEANING,
+        share=share,
+        note_of=_note,
+        count_of=words.count_of,
+        not_run=_not_run,
+        as_input=words.as_input,
+        shown=words.shown,
+        see_it=words.see_it,
+        wrong_scenes=words.wrong_scenes,
+        like_sentence=words.like_sentence,
+        size_of=words.size_of,
+        limits_line=words.limits_line,
+        wall_line=words.wall_line,
+        changed_line=words.changed_line,
+    )
+    return page.encode()
+
+
+def _picture(example: Counterexample) -> str:
+    """Return the picture as a data URL: in an image, its styles and names stay its own."""
+    if not example.picture:
+        return ""
+    return "data:image/svg+xml;base64," + base64.b64encode(example.picture.encode()).decode()
+
+
+def _note(result: CaseResult) -> str:
+    """Return what is said about a case besides its figures."""
+    message = result.message.partition("\n")[0]
+    if not result.retried:
+        return message
+    first = f", {result.first_verdict} at first" if result.first_verdict else ""
+    return f"{message} (repeated{first})".strip()
+
+
+def _not_run(group: GroupResult) -> list[tuple[str, str]]:
+    """Return why cases were not run, and how many, as words."""
+    reasons = Counter(result.message for result in group.cases if result.verdict is None)
+    return [(reason, counted(number, "case")) for reason, number in reasons.items()]

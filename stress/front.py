@@ -1,0 +1,29 @@
+"""The front of checker.py: the judge's command line, with the search for a counterexample."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from judge import cli
+
+if TYPE_CHECKING:
+    from judge.explanation import Counterexample
+    from judge.judging import Failure, Search
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Judge as the arguments say and return the exit status; --explain searches."""
+    return cli.main(arguments, make_search)
+
+
+def make_search(seed: int | None, add: bool) -> Search:
+    """Return the search that repeats a seed; None: a new one. add: put what it finds into data/."""
+
+    def search(failure: Failure) -> Counterexample | str:
+        # Imported here, so that a judging without --explain does not pay for it.
+        from stress.search.session import explain
+
+        return explain(failure, seed, add=add)
+
+    return search

@@ -1,0 +1,1 @@
+"""The search for a smallest input that one program gets wrong: draw, find, shrink."""

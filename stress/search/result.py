@@ -1,0 +1,52 @@
+"""From a failing file to what a report shows: the counterexample, kept in a file."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+from gen.answers import agreed
+from gen.scenario import render
+from judge.explanation import Counterexample
+from judge.kit.files import write_whole
+from judge.kit.paths import BUILD
+from pictures.words import sentence
+from stress.search.trial import Trial
+
+COUNTEREXAMPLES = BUILD / "counterexamples"
+
+
+def counterexample(
+    trial: Trial, found: str, seconds: float, steps: tuple[str, ...]
+) -> Counterexample:
+    """Return a failing file as a counterexample, and keep it.
+
+    The expected answer is that of two methods. Raises DisagreementError if they differ,
+    ProgramError, OSError.
+    """
+    content = render(trial.scenarios)
+    expected = agreed(content, trial.scenarios).decode().split()[-1]
+    last = trial.scenarios[-1]
+    return Counterexample(
+        input=content.decode(),
+        expected=expected,
+        found=found,
+        scenarios=len(trial.scenarios),
+        obstacles=len(last.obstacles),
+        vertices=last.vertices,
+        sentence=sentence(last),
+        picture="",
+        file=keep(content),
+        seconds=seconds,
+        steps=steps,
+    )
+
+
+def keep(content: bytes) -> Path:
+    """Write an input below build/counterexamples/ and return its path.
+
+    Its checksum is its name, so that it replaces no other input.
+    """
+    path = COUNTEREXAMPLES / f"shrunk-{hashlib.sha256(content).hexdigest()[:12]}.in"
+    write_whole(path, content, parents=True)
+    return path
