@@ -136,6 +136,16 @@ def test_a_corner_stays_where_the_polygon_is_convex(opened):
         assert scene(page) == HIT
 
 
+def test_of_coinciding_corners_the_selected_polygons_is_dragged(opened):
+    page = opened(link(Scenario(SQUARE, (9, 0), [[(4, 4), (9, 4), (9, 9)]])))
+    page.locator('path[data-part="robot 0 all"]').focus()
+    drag(page, handle(page, "obstacle 0 0"), (-1, 0))
+    assert scene(page).robot == [(0, 0), (4, 0), (3, 4), (0, 4)]
+    page.locator('path[data-part="obstacle 0 all"]').focus()
+    drag(page, handle(page, "obstacle 0 0"), (-1, 0))
+    assert scene(page).obstacles == [[(3, 4), (9, 4), (9, 9)]]
+
+
 def test_keys_move_what_is_focused(opened):
     page = opened(link(FREE))
     corner = page.locator('circle[data-part="obstacle 0 2"]')
