@@ -3,22 +3,21 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
 from gen.scenario import parse, render
+from judge.diagnosis.gallery import GALLERY, load_gallery
 from judge.kit.errors import KitError
 from judge.kit.paths import DATA, ROOT
 
-GALLERY = DATA / "gallery" / "gallery.toml"
 STATEMENT = ROOT / "problem.md"
 _SAMPLE = re.compile(r"^### Sample \d+: (.+?)$\n(.*?)^Input:$", re.MULTILINE | re.DOTALL)
 _FIGURE = re.compile(r"^!\[.*?\]\(.*?\)$", re.MULTILINE | re.DOTALL)
 
 
 class SceneError(KitError):
-    """The samples or the gallery are not in the form that the page needs."""
+    """The samples are not in the form that the page needs."""
 
 
 @dataclass(frozen=True)
@@ -62,23 +61,22 @@ def samples(data: Path = DATA, statement: Path = STATEMENT) -> list[Scene]:
     return scenes
 
 
-def gallery(file: Path = GALLERY) -> list[Scene]:
-    """Return the scenes of the gallery; none if there is no gallery yet."""
-    if not file.exists():
-        return []
-    try:
-        declared = tomllib.loads(file.read_text(encoding="utf-8"))
-        lessons = declared["lessons"]
-        return [
-            Scene(
-                name=scene["name"],
-                group="Gallery",
-                title=scene["name"].replace("-", " ").replace("_", " "),
-                sentence=lessons[scene["lesson"]]["sentence"],
-                answer=scene["answer"],
-                input=scene["input"].strip("\n") + "\n",
-            )
-            for scene in declared["scenes"]
-        ]
-    except (tomllib.TOMLDecodeError, KeyError, TypeError, AttributeError) as error:
-        raise SceneError(f"{file}: not a gallery: {error!r}") from None
+def gallery(directory: Path = GALLERY) -> list[Scene]:
+    """Return the scenes of the gallery, grouped by their lessons. Raises GalleryError."""
+    found = load_gallery(directory)
+    order = list(found.lessons)
+    return [
+        Scene(
+            name=scene.name,
+            group=f"Gallery: {_words(scene.lesson)}",
+            title=_words(scene.name),
+            sentence=found.lessons[scene.lesson].sentence,
+            answer=scene.answer,
+            input=scene.input,
+        )
+        for scene in sorted(found.scenes, key=lambda scene: order.index(scene.lesson))
+    ]
+
+
+def _words(name: str) -> str:
+    return name.replace("-", " ")

@@ -101,7 +101,7 @@ function changed(isOtherScene) {
     isEdited = true;
     if (document.activeElement !== byId("text")) showText();
     later("address", showAddress, ADDRESS_AFTER_MS);
-    byId("lesson").classList.add("past"); // it keeps its room, so that nothing jumps
+    byId("lesson").classList.add("past");
   }
   redraw();
 }
@@ -113,6 +113,7 @@ function showText() {
 
 /** The address always leads back to what is shown, if it is short enough for an address. */
 function showAddress() {
+  clearTimeout(timers.address);
   const isStored = source.name !== null && !isEdited;
   const link = isStored ? `gallery=${encodeURIComponent(source.name)}` : linkOf(session.scene);
   history.replaceState(null, "", link === null ? " " : `#${link}`);
@@ -182,8 +183,8 @@ async function openFile(file) {
   else await openText(file.name, text);
 }
 
-function openAddress() {
-  const { name, scene, fault } = fromAddress(location.hash, data);
+function openAddress(hash) {
+  const { name, scene, fault } = fromAddress(hash, data);
   if (scene) show(scene, {});
   else showStored(name ?? data.first);
   if (fault) say(fault);
@@ -291,9 +292,9 @@ const boards = { scene: sceneBoard, difference: differenceBoard };
 
 fillChooser(byId("scenes"), data.scenes);
 session = new Session(stored(data, data.first).scene, changed);
-openAddress();
+openAddress(location.hash);
 
-addEventListener("hashchange", openAddress);
+addEventListener("hashchange", ({ newURL }) => openAddress(new URL(newURL).hash));
 on("scenes", "change", () => byId("scenes").value && showStored(byId("scenes").value));
 on("previous", "click", () => turn(-1));
 on("next", "click", () => turn(1));

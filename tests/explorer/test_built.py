@@ -7,13 +7,29 @@ import pytest
 
 from explorer import cli
 from explorer.page import build
-from explorer.scenes import SceneError, gallery, samples
+from explorer.scenes import gallery, samples
 from judge.kit.paths import DATA
 from judge.problem import declaration
 
-GALLERY = '''
-[lessons.touch]
+LESSONS = """
+[touch]
 sentence = "A corner that touches </script> is a collision."
+
+[empty]
+sentence = "Nothing is there to be touched."
+"""
+SCENES = '''
+[[scenes]]
+name = "no-obstacle"
+lesson = "empty"
+answer = "YES"
+input = """
+3 0
+5 5
+0 0
+1 0
+0 1
+"""
 
 [[scenes]]
 name = "corner-touches"
@@ -30,30 +46,19 @@ input = """
 2 0
 2 1
 """
-
-[[scenes]]
-name = "no-obstacle"
-lesson = "touch"
-answer = "YES"
-input = """
-3 0
-5 5
-0 0
-1 0
-0 1
-"""
 '''
 
 
 @pytest.fixture
-def gallery_file(tmp_path):
-    file = tmp_path / "gallery.toml"
-    file.write_text(GALLERY)
-    return file
+def directory(tmp_path):
+    """A gallery of two scenes."""
+    for name, text in (("lessons.toml", LESSONS), ("scenes.toml", SCENES), ("answers.json", "{}")):
+        (tmp_path / name).write_text(text)
+    return tmp_path
 
 
-def built(gallery_file):
-    return build([*samples(), *gallery(gallery_file)], declaration.load().constraints)
+def built(directory):
+    return build([*samples(), *gallery(directory)], declaration.load().constraints)
 
 
 def test_the_page_is_current():
@@ -81,22 +86,21 @@ def test_every_scenario_of_the_samples_is_held():
     assert "![" not in "".join(scene.sentence for scene in scenes)
 
 
-def test_a_gallery_is_held(gallery_file):
-    first, second = gallery(gallery_file)
+def test_a_gallery_is_held_in_the_order_of_its_lessons(directory):
+    first, second = gallery(directory)
     assert (first.name, first.title, first.answer) == ("corner-touches", "corner touches", "NO")
+    assert (first.group, second.group) == ("Gallery: touch", "Gallery: empty")
     assert first.input == "3 1\n0 0\n0 0\n1 0\n0 1\n3\n1 0\n2 0\n2 1\n"
-    assert second.sentence == first.sentence
-    assert gallery(gallery_file.parent / "none.toml") == []
-    page = built(gallery_file)
+    page = built(directory)
     data = re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)
     held = json.loads(data[1])
     assert held["sentences"].count(first.sentence) == 1
     assert held["scenes"][-1]["input"] == second.input
 
 
-def test_gallery_scenes_open_by_name_in_the_browser(browser, gallery_file, tmp_path):
+def test_gallery_scenes_open_by_name_in_the_browser(browser, directory, tmp_path):
     file = tmp_path / "explorer.html"
-    file.write_text(built(gallery_file))
+    file.write_text(built(directory))
     page = browser.new_page()
     page.goto(f"{file.as_uri()}#gallery=corner-touches")
     page.locator("#lesson", has_text="A corner that touches </script> is a collision.").wait_for()
@@ -105,22 +109,6 @@ def test_gallery_scenes_open_by_name_in_the_browser(browser, gallery_file, tmp_p
     page.locator("#answer", has_text="YES").wait_for()
     assert page.locator("#scenes").input_value() == "no-obstacle"
     page.close()
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "[[scenes]",
-        '[[scenes]]\nname = "a"\n',
-        'scenes = 3\n[lessons.a]\nsentence = "b"\n',
-        GALLERY.replace('lesson = "touch"', 'lesson = "tuch"', 1),
-    ],
-)
-def test_what_is_no_gallery_is_named(tmp_path, text):
-    file = tmp_path / "gallery.toml"
-    file.write_text(text)
-    with pytest.raises(SceneError, match="not a gallery"):
-        gallery(file)
 
 
 def test_the_command_writes_and_checks(tmp_path, capsys):

@@ -2,6 +2,8 @@
 
 import json
 
+import pytest
+
 from explorer.cli import PAGE
 from gen.families.registry import find
 from gen.geometry import is_strictly_convex
@@ -132,6 +134,16 @@ def test_a_corner_stays_where_the_polygon_is_convex(opened):
         assert robot[1:] == SQUARE[1:]
         page.locator("#undo").click()
         assert scene(page) == HIT
+
+
+def test_of_coinciding_corners_the_selected_polygons_is_dragged(opened):
+    page = opened(link(Scenario(SQUARE, (9, 0), [[(4, 4), (9, 4), (9, 9)]])))
+    page.locator('path[data-part="robot 0 all"]').focus()
+    drag(page, handle(page, "obstacle 0 0"), (-1, 0))
+    assert scene(page).robot == [(0, 0), (4, 0), (3, 4), (0, 4)]
+    page.locator('path[data-part="obstacle 0 all"]').focus()
+    drag(page, handle(page, "obstacle 0 0"), (-1, 0))
+    assert scene(page).obstacles == [[(3, 4), (9, 4), (9, 9)]]
 
 
 def test_keys_move_what_is_focused(opened):
@@ -272,6 +284,75 @@ def test_the_separating_line_is_shown_when_there_is_one(opened):
     page = opened(link(HIT))
     settle(page)
     assert page.locator("line.separating").count() == 0
+
+
+TRIANGLE = [(6, 1), (9, 0), (9, 4)]  # its corner (6, 1) is its leftmost point
+
+
+@pytest.mark.parametrize(
+    ("scenario", "expected"),
+    [
+        (
+            Scenario(SQUARE, (10, 0), [TRIANGLE]),
+            "After 1/5 of the move, the robot’s edge (4, 0)–(4, 4) meets the corner (6, 1) "
+            "of the obstacle.",
+        ),
+        (
+            Scenario([(0, 2), (2, 1), (2, 3)], (-9, 0), [[(-6, 0), (-3, 0), (-3, 9), (-6, 9)]]),
+            "After 1/3 of the move, the robot’s corner (0, 2) meets the edge (-3, 0)–(-3, 9) "
+            "of the obstacle.",
+        ),
+        (
+            Scenario(SQUARE, (3, 3), [[(7, 7), (9, 7), (9, 9)]]),
+            "At the very end of the move, the robot’s corner (4, 4) meets the corner (7, 7) "
+            "of the obstacle. They only touch; that is a collision, too.",
+        ),
+        (
+            Scenario(SQUARE, (0, 0), [[(4, 1), (9, 1), (4, 3)], TRIANGLE]),
+            "At the start, the robot’s edge (4, 0)–(4, 4) meets the edge (4, 3)–(4, 1) "
+            "of obstacle 1. They only touch; that is a collision, too.",
+        ),
+        (
+            Scenario([(1, 1), (2, 1), (1, 2)], (7, 0), [SQUARE]),
+            "The robot starts inside the obstacle.",
+        ),
+        (
+            Scenario(SQUARE, (7, 0), [TRIANGLE, [(1, 1), (2, 1), (1, 2)]]),
+            "Obstacle 2 lies inside the robot at the start.",
+        ),
+        (
+            Scenario(SQUARE, (7, 0), [[(3, 3), (9, 3), (9, 9)]]),
+            "The robot and the obstacle overlap at the start.",
+        ),
+        (
+            Scenario(SQUARE, (-2, -1), [TRIANGLE]),
+            "A line separates the obstacle from all that the robot covers, with a gap of 2.",
+        ),
+        (
+            Scenario(SQUARE, (-2, -2), [[(5, 5), (7, 4), (7, 7)], [(90, 90), (99, 90), (90, 99)]]),
+            "A line separates each of the 2 obstacles from all that the robot covers; "
+            "for obstacle 1, with a gap of 3/√5 ≈ 1.34.",
+        ),
+    ],
+)
+def test_the_reason_is_exact(opened, scenario, expected):
+    page = opened(link(scenario))
+    settle(page)
+    assert page.text_content("#reason") == expected
+
+
+def test_the_contact_and_the_gap_are_seen_closely(opened):
+    far = 10**8
+    robot = [(-far, -far), (far, -far), (far, far - 1)]
+    obstacle = [(-far, -far + 1), (far - 1, far), (-far, far)]
+    page = opened(link(Scenario(robot, (0, 0), [obstacle])))
+    assert answer(page) == "YES"
+    for button in page.locator("[data-zoom=near]").all():
+        button.click()
+    settle(page)
+    labels = page.locator("#difference text.number").all_text_contents()
+    assert {"−1", "0", "1"} <= set(labels)
+    assert page.locator("#scene circle[data-part]").count() == 7
 
 
 def test_a_file_of_many_scenarios_is_opened(opened, tmp_path):
@@ -426,9 +507,12 @@ def test_scenes_as_wide_as_the_world_and_a_unit_apart(opened):
         }"""
     )
     page.locator("#scene").hover(position={"x": 300, "y": 150})
+    page.keyboard.down("Control")
     for _ in range(12):
         page.mouse.wheel(0, -600)
+    page.keyboard.up("Control")
     settle(page)
+    assert page.locator("#scene text.number").all_text_contents() != labels
     page.locator(".zoom[data-board=scene] [data-zoom=fit]").click()
     settle(page)
     assert page.locator("#scene text.number").all_text_contents() == labels

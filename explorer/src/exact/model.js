@@ -63,7 +63,6 @@ function fitsCorner(polygon, vertex, point) {
   const n = polygon.length;
   const at = (offset) => (offset ? polygon[(vertex + offset + n) % n] : point);
   const turn = (i) => cross(minus(at(i), at(i - 1)), minus(at(i + 1), at(i)));
-  if (n === 3) return cross(minus(at(1), point), minus(at(-1), at(1))) > 0;
   return turn(-1) > 0 && turn(0) > 0 && turn(1) > 0;
 }
 

@@ -1,10 +1,11 @@
 // A board: an SVG that shows a part of the plane with a grid, and is panned and zoomed by pointer,
-// wheel, pinch, keys and buttons.
+// Ctrl and wheel, pinch, keys and buttons.
 
 import { Layer } from "./layer.js";
 import { Viewport } from "./viewport.js";
 
-const WHEEL_SPEED = 0.0015;
+const WHEEL_SPEED = 0.01;
+const WHEEL_MAX = 30; // a mouse turns in large steps, a pinch on a trackpad in small ones
 const KEY_FACTOR = 1.25;
 const DIGIT_PX = 6.7;
 
@@ -111,8 +112,10 @@ export class Board {
     svg.addEventListener(
       "wheel",
       (event) => {
+        if (!event.ctrlKey && !event.metaKey) return; // the wheel alone scrolls the page
         event.preventDefault();
-        this.zoom(Math.exp(-event.deltaY * WHEEL_SPEED), this.pixelOf(event));
+        const turn = Math.min(Math.max(event.deltaY, -WHEEL_MAX), WHEEL_MAX);
+        this.zoom(Math.exp(-turn * WHEEL_SPEED), this.pixelOf(event));
       },
       { passive: false },
     );
@@ -129,7 +132,10 @@ export class Board {
     // What is dragged stays under the pointer, even if text above grows and the board moves.
     this.held ??= this.svg.getBoundingClientRect();
     const pixel = this.pixelOf(event);
-    if (this.pointers.size === 0) this.drag = this.press(pixel, event);
+    if (this.pointers.size === 0) {
+      this.leader = event.pointerId; // it drags; other fingers do not
+      this.drag = this.press(pixel, event);
+    }
     if (this.pointers.size === 1 && !this.drag) this.isOwnView = true; // a pinch begins
     this.pointers.set(event.pointerId, pixel);
     this.svg.setPointerCapture(event.pointerId);
@@ -140,7 +146,7 @@ export class Board {
     if (!before) return;
     const pixel = this.pixelOf(event);
     if (this.drag) {
-      this.drag(event, pixel);
+      if (event.pointerId === this.leader) this.drag(event, pixel);
     } else if (this.pointers.size === 1) {
       this.isOwnView = true;
       this.view.pan(pixel[0] - before[0], pixel[1] - before[1]);
@@ -159,8 +165,10 @@ export class Board {
 
   up(event) {
     if (!this.pointers.delete(event.pointerId)) return;
-    if (this.drag && event.type === "pointerup") this.drag(event, this.pixelOf(event));
-    this.drag = null;
+    if (this.drag && event.pointerId === this.leader) {
+      if (event.type === "pointerup") this.drag(event, this.pixelOf(event));
+      this.drag = null;
+    }
     if (!this.pointers.size) this.held = null;
     this.redraw();
   }

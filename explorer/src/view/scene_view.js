@@ -10,6 +10,7 @@ const HANDLES_MAX = 60; // with more corners, only those of the selected polygon
 const NAMES_MAX = 40; // of more obstacles, only the one that is shown has its number
 const GRIP_PX = 9;
 const GRIP_TOUCH_PX = 20;
+const SELECTED_PX = 3; // so much nearer counts a handle of the selected polygon
 const NEAR_UNITS = 3; // around a contact that is looked at closely
 
 /** The box of all that a scene shows. */
@@ -57,13 +58,17 @@ export function handlePlace(scene, part) {
   return polygonOf(scene, part)[part.vertex];
 }
 
-/** The handle that is nearest to a pixel and near enough; null if there is none. */
+/** The handle that is nearest to a pixel and near enough; null if there is none.
+ *
+ * Where corners of two polygons coincide, that of the selected one is meant.
+ */
 export function handleAt(board, state, pixel, isTouch) {
   let best = null;
   let nearest = isTouch ? GRIP_TOUCH_PX : GRIP_PX;
   for (const part of handlesOf(state.scene, state.selected)) {
     const [x, y] = board.view.toScreen(handlePlace(state.scene, part));
-    const distance = Math.hypot(pixel[0] - x, pixel[1] - y);
+    const isSelected = part.kind === state.selected?.kind && part.index === state.selected.index;
+    const distance = Math.hypot(pixel[0] - x, pixel[1] - y) - (isSelected ? SELECTED_PX : 0);
     if (distance <= nearest) [best, nearest] = [part, distance];
   }
   return best;
