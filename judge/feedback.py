@@ -57,4 +57,5 @@ def told(judging: Judging, feedback: Feedback) -> Judging:
         groups=groups,
         diagnosis=judging.diagnosis if feedback.lessons else None,
         counterexample=judging.counterexample if feedback.counterexample else None,
+        unexplained=judging.unexplained if feedback.counterexample else "",
     )

@@ -44,14 +44,13 @@ def print_explained(
         console.print(
             Text.assemble("first failure: ", verdict, f" on {headline(failure)}"), soft_wrap=True
         )
-        drawn = example is not None and bool(example.picture)
-        _print(console, _failure_lines(failure, drawn=drawn, verbose=verbose))
+        _print(console, _failure_lines(failure, smaller=example is not None, verbose=verbose))
     if judging.diagnosis is not None:
         _print(console, _diagnosis_lines(judging.diagnosis, explain=explain))
     if example is not None:
         print_counterexample(console, example)
     elif judging.unexplained:
-        console.print(Text(judging.unexplained), soft_wrap=True)
+        console.print(Text(printable_name(judging.unexplained)), soft_wrap=True)
 
 
 def print_counterexample(console: Console, example: Counterexample) -> None:
@@ -64,8 +63,8 @@ def _print(console: Console, lines: Iterator[str | Text]) -> None:
         console.print(line if isinstance(line, Text) else Text(line), soft_wrap=True)
 
 
-def _failure_lines(failure: CaseResult, *, drawn: bool, verbose: bool) -> Iterator[str | Text]:
-    """Yield the files, standard error, the scenario. drawn: there is a better picture."""
+def _failure_lines(failure: CaseResult, *, smaller: bool, verbose: bool) -> Iterator[str | Text]:
+    """Yield the files, standard error, the scenario. smaller: a smaller one follows, to be seen."""
     if not failure.withheld:
         yield f"  input  {shown(failure.case.input)}"
         yield f"  answer {shown(failure.case.answer)}"
@@ -78,7 +77,7 @@ def _failure_lines(failure: CaseResult, *, drawn: bool, verbose: bool) -> Iterat
     scenario = failing_scenario(failure)
     if scenario is None or failure.mismatch is None:
         return
-    if not drawn:
+    if not smaller:
         yield f"  see it {see_it(failure.case.input, failure.mismatch.scenario)}"
     if len(scenario) <= SHORT_LINES:
         yield f"  scenario {failure.mismatch.scenario} as an input of its own:"
@@ -111,7 +110,7 @@ def _example_lines(example: Counterexample) -> Iterator[str | Text]:
         picture = example.file.with_suffix(".svg")
         if picture.is_file():
             yield f"  picture {shown(picture)}"
-        elif example.picture:
+        else:
             yield f"  see it  {see_it(example.file, example.scenarios)}"
     for step in (*example.steps, f"found in {example.seconds:.1f} s"):
         yield Text(f"  {printable_name(step)}", style="dim")

@@ -134,7 +134,8 @@ class Report(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     needed, not measurable, or the limit was given; scale_source: where that figure comes
     from, new in version 2. wall: the wall around every run, null for none. partial: not all
     test cases of the kit were chosen; only groups judged whole score. New in version 3:
-    diagnosis, like, counterexample; each is null if there is none or it may not be told.
+    diagnosis, like, counterexample; each is null if there is none or it may not be told;
+    unexplained: why a search for a counterexample found none.
     """
 
     schema_version: int
@@ -156,6 +157,7 @@ class Report(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     diagnosis: DiagnosisReport | None
     like: LikeReport | None
     counterexample: CounterexampleReport | None
+    unexplained: str
 
 
 def report_of(judging: Judging) -> Report:
@@ -180,6 +182,7 @@ def report_of(judging: Judging) -> Report:
         diagnosis=_diagnosis(judging.diagnosis),
         like=_like(judging.diagnosis),
         counterexample=_counterexample(judging.counterexample),
+        unexplained=judging.unexplained,
     )
 
 

@@ -189,7 +189,8 @@ def test_before_set_up(tmp_path: Path) -> None:
 
 def test_a_broken_declaration(source: Source, tmp_path: Path) -> None:
     shutil.copy(ROOT / "checker.py", tmp_path)
-    shutil.copytree(ROOT / "judge", tmp_path / "judge")
+    for part in ("judge", "stress"):
+        shutil.copytree(ROOT / part, tmp_path / part)
     text = (ROOT / "problem.toml").read_text()
     (tmp_path / "problem.toml").write_text(text.replace("memory_mib", "memory_mb", 1))
     command = [sys.executable, str(tmp_path / "checker.py"), str(source("echo.py", ECHO))]

@@ -52,6 +52,7 @@ JUDGING = Judging(
     ),
     diagnosis=DIAGNOSIS,
     counterexample=EXAMPLE,
+    unexplained="search without success",
 )
 
 
@@ -108,6 +109,7 @@ def test_only_the_verdict(name: str, named: bool) -> None:
 def test_lessons_without_a_counterexample(name: str) -> None:
     text = reports(Feedback("lessons", name_secret_cases=True))[name]
     assert "corner (1, 0)" not in text
+    assert "search without success" not in text
     assert "scenario 77" in text
     assert ("Sentence number 1." in text) is (name != "junit")
 

@@ -90,6 +90,12 @@ def test_it_tells_everything() -> None:
     assert base64.b64decode(content).decode() == drawn.picture
 
 
+def test_it_tells_why_there_is_no_counterexample() -> None:
+    page = to_html(replace(failed(FIRST), unexplained="nothing <smaller> fails")).decode()
+    assert "nothing &lt;smaller&gt; fails" in page
+    Reader(page)
+
+
 def test_it_needs_nothing_else() -> None:
     page = to_html(replace(failed(FIRST), diagnosis=DIAGNOSIS, counterexample=EXAMPLE)).decode()
     assert not re.search(r"<script|<link|src=|href=|url\(|@import|https?:", page)
