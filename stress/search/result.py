@@ -1,4 +1,4 @@
-"""From a failing file to what a report shows: the counterexample, kept in a file."""
+"""From a failing file to what a report shows: the counterexample, kept in files."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from gen.scenario import render
 from judge.explanation import Counterexample
 from judge.kit.files import write_whole
 from judge.kit.paths import BUILD
+from pictures.explain import explain_picture
 from pictures.words import sentence
 from stress.search.trial import Trial
 
@@ -19,7 +20,7 @@ COUNTEREXAMPLES = BUILD / "counterexamples"
 def counterexample(
     trial: Trial, found: str, seconds: float, steps: tuple[str, ...]
 ) -> Counterexample:
-    """Return a failing file as a counterexample, and keep it.
+    """Return a failing file as a counterexample; keep it, and its picture beside it.
 
     The expected answer is that of two methods. Raises DisagreementError if they differ,
     ProgramError, OSError.
@@ -27,6 +28,9 @@ def counterexample(
     content = render(trial.scenarios)
     expected = agreed(content, trial.scenarios).decode().split()[-1]
     last = trial.scenarios[-1]
+    picture = explain_picture(last, answer=expected, found=found)
+    file = keep(content)
+    write_whole(file.with_suffix(".svg"), picture.encode())
     return Counterexample(
         input=content.decode(),
         expected=expected,
@@ -35,8 +39,8 @@ def counterexample(
         obstacles=len(last.obstacles),
         vertices=last.vertices,
         sentence=sentence(last),
-        picture="",
-        file=keep(content),
+        picture=picture,
+        file=file,
         seconds=seconds,
         steps=steps,
     )

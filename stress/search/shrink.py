@@ -10,7 +10,7 @@ from gen.scenario import Scenario
 from judge.kit.text import counted
 from judge.problem.verdict import Verdict
 from stress.search.clock import Budget
-from stress.search.measure import Measure, measure
+from stress.search.measure import measure, numbers_of
 from stress.search.steps import smaller
 from stress.search.trial import Subject, Trial, shortest_failing_prefix
 
@@ -43,7 +43,7 @@ def shrink(
     run, then the smallest that fails there alone; so a program that keeps something between
     scenarios misleads only for a round. Raises UnsteadyError.
     """
-    best, rejected = start, set[Measure]()
+    best, rejected = start, set[tuple[int, ...]]()
     while not budget.is_spent and len(rejected) < MOST_REJECTED:
         (scenario,) = best.scenarios
         size = measure(scenario)
@@ -55,7 +55,7 @@ def shrink(
         if trial.verdict is best.verdict:
             best = trial
             continue
-        rejected.add(measure(found))
+        rejected.add(numbers_of(found))
         if subject.trial(best.scenarios).verdict is not best.verdict:
             raise UnsteadyError
     return Shrunk(best, complete=False)
@@ -67,11 +67,11 @@ def _next(
     verdict: Verdict,
     rng: Rng,
     budget: Budget,
-    rejected: set[Measure],
+    rejected: set[tuple[int, ...]],
 ) -> Scenario | None:
     """Return a smaller scenario that fails among others; None if there is none."""
     for batch in smaller(scenario, rng):
-        candidates = [each for each in batch if measure(each) not in rejected]
+        candidates = [each for each in batch if numbers_of(each) not in rejected]
         found = first_failing(subject, candidates, verdict)
         if found is not None or budget.is_spent:
             return found

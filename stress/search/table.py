@@ -21,7 +21,7 @@ from judge.problem.declaration import Problem, load
 from judge.problem.verdict import Verdict
 from judge.results import Judging
 from stress.front import make_search
-from stress.search.measure import measure
+from stress.search.measure import numbers_of
 
 TABLE = ROOT / "docs" / "counterexamples.md"
 FOLDERS = ("wrong_answer", "run_time_error")
@@ -56,7 +56,7 @@ class Row:
         """The largest |number| of the last scenario."""
         if self.found is None:
             return 0
-        return measure(parse(self.found.input.encode())[-1])[2]
+        return max(map(abs, numbers_of(parse(self.found.input.encode())[-1])))
 
     @property
     def is_small(self) -> bool:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 
 from gen.rng import Rng
 from gen.scenario import Scenario
-from stress.search.measure import Measure, is_valid, measure
+from stress.search.measure import Measure, is_valid, measure, numbers_of
 from stress.search.steps.chance import changed_at_random
 from stress.search.steps.gaps import narrower_gaps
 from stress.search.steps.moves import simpler_moves
@@ -24,19 +24,17 @@ from stress.search.steps.vertices import fewer_vertices
 
 Step = Callable[[Scenario, Rng], Iterator[Scenario]]
 
-STEPS: tuple[Step, ...] = (  # what removes most comes first
+# What removes most comes first.
+COARSE: tuple[Step, ...] = (
     fewer_obstacles,
     fewer_vertices,
     replaced_by_triangles,
     other_places,
     scaled_down,
     simpler_moves,
-    narrower_gaps,
-    sheared,
-    images,
-    nudged,
-    changed_at_random,
 )
+FINE: tuple[Step, ...] = (narrower_gaps, sheared, images, nudged, changed_at_random)
+MOST_FOR_FINE = 100  # vertices: in a larger scenario, nobody looks at single numbers
 MOST_CANDIDATES = 2_000  # in a batch
 MOST_VERTICES = 60_000  # in a batch
 MOST_TRIED = 500_000  # vertices of all candidates, if that permits at least
@@ -49,20 +47,20 @@ def smaller(scenario: Scenario, rng: Rng) -> Iterator[list[Scenario]]:
     A batch has at most MOST_CANDIDATES, and MOST_VERTICES in all (but for the last of them). All
     candidates of a small scenario are one or two batches. Of a large one, not all are tried.
     """
-    batch: dict[Measure, Scenario] = {}
-    seen: set[Measure] = set()
+    batch: dict[tuple[Measure, tuple[int, ...]], Scenario] = {}
+    seen: set[tuple[Measure, tuple[int, ...]]] = set()
     size, vertices, tried = measure(scenario), 0, 0
     most = max(MOST_TRIED, LEAST_TRIED * scenario.vertices)
-    for step in STEPS:
+    for step in COARSE + FINE if scenario.vertices <= MOST_FOR_FINE else COARSE:
         for candidate in step(scenario, rng):
             tried += candidate.vertices
             if tried > most:
                 break
-            key = measure(candidate)
-            if key < size and key not in seen and is_valid(candidate):
+            key = measure(candidate), numbers_of(candidate)
+            if key[0] < size and key not in seen and is_valid(candidate):
                 seen.add(key)
                 batch[key] = candidate
-                vertices += key[1]
+                vertices += candidate.vertices
             if len(batch) == MOST_CANDIDATES or vertices > MOST_VERTICES:
                 yield [batch[key] for key in sorted(batch)]
                 batch, vertices = {}, 0

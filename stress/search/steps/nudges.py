@@ -1,4 +1,4 @@
-"""One vertex elsewhere: a little, halfway to zero, or at zero."""
+"""One vertex elsewhere: a little, halfway to zero, at zero, or at round numbers."""
 
 from __future__ import annotations
 
@@ -29,6 +29,15 @@ def _others(vertex: Point) -> Iterator[Point]:
     for part in (1, 2, 4, 8, 16, 64, 1024, 16384):
         nearer_x, nearer_y = x - _part(x, part), y - _part(y, part)
         yield from ((nearer_x, y), (x, nearer_y), (nearer_x, nearer_y))
+    for digits in (1, 2, 3):
+        round_x, round_y = _rounded(x, digits), _rounded(y, digits)
+        yield from ((round_x, y), (x, round_y), (round_x, round_y))
+
+
+def _rounded(value: int, digits: int) -> int:
+    """Return a value near to it, towards zero, with so many digits before its zeros."""
+    unit: int = 10 ** max(0, len(str(abs(value))) - digits)
+    return _part(value, unit) * unit
 
 
 def _part(value: int, part: int) -> int:

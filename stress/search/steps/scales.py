@@ -24,6 +24,7 @@ FACTORS: tuple[tuple[int, int], ...] = (
 )
 FACTORS += ((1, 4), (1, 3), (1, 2), (2, 3), (3, 4), (7, 8), (15, 16), (31, 32), (63, 64))
 FACTORS += ((255, 256), (1023, 1024), (8191, 8192))
+UNITS = (10_000_000, 1_000_000, 100_000, 10_000, 1_000, 100, 10)  # to round all numbers to
 MOST_VERTICES = 8
 
 Rounding = Callable[[int, int, int], int]
@@ -32,6 +33,8 @@ Rounding = Callable[[int, int, int], int]
 def scaled_down(scenario: Scenario, _rng: Rng) -> Iterator[Scenario]:
     """Yield the scene scaled in both directions, in one, and each polygon scaled alone."""
     yield from _without_divisor(scenario)
+    for unit in UNITS:
+        yield _scaled(scenario, 1, unit, _nearest, in_x=True, in_y=True, times=unit)
     for up, down in FACTORS:
         for rounded in (_floor, _nearest, _towards_zero):
             for in_x, in_y in ((True, True), (True, False), (False, True)):
@@ -55,11 +58,21 @@ def _without_divisor(scenario: Scenario) -> Iterator[Scenario]:
 
 
 def _scaled(
-    scenario: Scenario, up: int, down: int, rounded: Rounding, *, in_x: bool, in_y: bool
+    scenario: Scenario,
+    up: int,
+    down: int,
+    rounded: Rounding,
+    *,
+    in_x: bool,
+    in_y: bool,
+    times: int = 1,
 ) -> Scenario:
     def scale(polygon: Polygon) -> Polygon:
         return [
-            (rounded(x, up, down) if in_x else x, rounded(y, up, down) if in_y else y)
+            (
+                rounded(x, up, down) * times if in_x else x,
+                rounded(y, up, down) * times if in_y else y,
+            )
             for x, y in polygon
         ]
 
