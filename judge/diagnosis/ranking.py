@@ -14,11 +14,12 @@ NEAR = Fraction(4, 5)  # below it, the nearest known program misleads as often a
 def missed_lessons(
     gallery: Gallery, answers: str, leave_out: Iterable[str] = ()
 ) -> tuple[MissedLesson, ...]:
-    """Return the lessons that wrong answers point to, most telling first.
+    """Return the lessons that explain the wrong answers, most telling first.
 
     answers: one letter a scene: Y, N, NO_ANSWER or NOT_ASKED. leave_out: known submissions
     to ignore. A known program that is wrong in nearly the same scenes decides first. Else each
-    lesson counts by its own scenes and by its condition, if it has one. O(scenes * known).
+    lesson counts by its own scenes and by its condition, if it has one. A lesson is told only
+    if it explains an own scene that those before it leave. O(lessons * scenes * known).
     """
     wrong = wrong_scenes(gallery, answers)
     ignored = frozenset(leave_out)
@@ -38,15 +39,16 @@ def missed_lessons(
         weight += _by_condition(gallery, lesson, wrong)
         return lesson not in first, -weight, order.index(lesson)
 
-    return tuple(
-        MissedLesson(
-            lesson,
-            gallery.lessons[lesson].sentence,
-            tuple(gallery.scenes[index].name for index in own[lesson]),
-        )
-        for lesson in sorted(order, key=rank)
-        if own[lesson]
-    )
+    told = []
+    left = set(wrong)
+    for lesson in sorted((lesson for lesson in order if own[lesson]), key=rank):
+        if left.isdisjoint(own[lesson]):
+            continue
+        explained = left & _explained(gallery, lesson, known)
+        left -= explained
+        names = tuple(gallery.scenes[index].name for index in sorted(explained))
+        told.append(MissedLesson(lesson, gallery.lessons[lesson].sentence, names))
+    return tuple(told)
 
 
 def wrong_scenes(gallery: Gallery, answers: str) -> frozenset[int]:
@@ -96,6 +98,18 @@ def _by_condition(gallery: Gallery, lesson: str, wrong: frozenset[int]) -> Fract
         return Fraction()
     alike = Fraction(len(wrong & matters), len(wrong | matters))
     return alike - Fraction(len(wrong - matters), len(wrong))
+
+
+def _explained(
+    gallery: Gallery, lesson: str, known: Mapping[str, frozenset[int]]
+) -> frozenset[int]:
+    """Return the scenes that a program which misses this lesson may answer wrongly.
+
+    They are its own, those that meet its condition, and those that known programs fail.
+    """
+    own = {index for index, scene in enumerate(gallery.scenes) if scene.lesson == lesson}
+    failed = (known[name] for name in gallery.lessons[lesson].missed_by if name in known)
+    return frozenset(own).union(gallery.conditions.get(lesson, ()), *failed)
 
 
 def _lessons_of_nearest(

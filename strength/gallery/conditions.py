@@ -25,7 +25,6 @@ def conditions_of(scenario: Scenario) -> frozenset[str]:
         "no-obstacles": not view.obstacles,
         "every-obstacle": len(view.obstacles) > 1,
         "between-obstacles": view.free and len(view.obstacles) > 1 and not view.hull_is_free,
-        "displacement": not view.still,
         "standing-still": view.still,
         "on-the-way": view.every(lambda touch: touch.first > 0 and touch.last < 1),
         "every-moment": view.every(
