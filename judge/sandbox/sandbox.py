@@ -13,7 +13,7 @@ from typing import Self
 
 from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import Facts, RunLimits
-from judge.sandbox.keeper.protocol import Failure, Request
+from judge.sandbox.keeper.protocol import Request
 from judge.sandbox.keeper.remove import remove
 from judge.sandbox.keeper.wall import open_to_all
 from judge.sandbox.keepers import Keeper, LostKeeperError, SandboxError
@@ -47,8 +47,8 @@ class Sandbox:
 
     Any number of threads may call `run` at once; each run has a keeper to itself. keepers:
     how many to start in advance.
-    The keepers make the scratch directory, and remove it when this process dies for any
-    reason. Raises SandboxError if they cannot make it.
+    The keepers remove the scratch directory if this process dies for any reason. Raises
+    SandboxError if it cannot be made.
     """
 
     def __init__(
@@ -66,7 +66,12 @@ class Sandbox:
             for _ in range(keepers):
                 self._all.append(Keeper(self.scratch, self._cgroups))
             self._idle += self._all
-            self._idle[-1].ready()  # the first run takes this one
+            # Made when a keeper is there that will remove it. Root's programs run as another
+            # user, who must be able to enter but not to list it.
+            self.scratch.mkdir(mode=0o700 if os.getuid() else 0o711)
+        except OSError as error:
+            self.close()
+            raise self._no_space(error) from None
         except BaseException:  # even KeyboardInterrupt: the directory may exist
             self.close()
             raise
@@ -148,18 +153,16 @@ class Sandbox:
                 processes=limits.processes,
                 file_mib=FILE_MIB,
             )
-            reply = keeper.ask(request)
+            facts = keeper.ask(request)
         except BaseException:
             keeper.end()
             raise
         finally:
             if own is not None:
                 remove(own)
-        if reply.all_ended:
+        if facts.all_ended:
             self._give_back(keeper)
-        if isinstance(reply, Failure):
-            raise SandboxError(reply.why)
-        return reply
+        return facts
 
     @property
     def protection(self) -> str | None:
@@ -195,7 +198,10 @@ class Sandbox:
         try:
             return Path(tempfile.mkdtemp(dir=self.scratch, prefix=prefix))
         except OSError as error:
-            raise SandboxError(f"{self.scratch}: no scratch space: {error.strerror}") from None
+            raise self._no_space(error) from None
+
+    def _no_space(self, error: OSError) -> SandboxError:
+        return SandboxError(f"{self.scratch.parent}: no scratch space: {error.strerror}")
 
     def check_space(self) -> None:
         """Raise SandboxError if less than LEAST_SCRATCH_KIB is left for scratch files."""

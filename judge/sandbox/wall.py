@@ -36,6 +36,10 @@ RUN_SETTINGS = ("alternatives", "ld.so.cache", "java*")
 COMPILER_SETTINGS = (*RUN_SETTINGS, "ld.so.conf", "ld.so.conf.d")
 
 
+# Each device, and what lies there: `full` reads the same as `zero`, but cannot be mapped.
+DEVICES = {"null": "null", "zero": "full", "full": "full", "random": "random", "urandom": "urandom"}
+
+
 @dataclass(frozen=True, slots=True)
 class Wall:
     """A wall built with this `bwrap`.
@@ -60,12 +64,6 @@ class Wall:
         counted: a control group counts the CPU time of every process.
         """
         scratch_mib = COMPILER_SCRATCH_MIB if writable else RUN_SCRATCH_MIB
-        scratch = {"/dev/shm": SHARED_MEMORY_MIB << 20, str(SCRATCH): scratch_mib << 20}
-        sized = [
-            word
-            for place, size in scratch.items()
-            for word in ("--size", str(size), "--tmpfs", place)
-        ]
         hidden = (ROOT, Path.home(), Path(tempfile.gettempdir()), *self.hidden)
         binds = [(prefix, prefix, False) for prefix in prefixes]
         if program is not None:
@@ -80,14 +78,13 @@ class Wall:
                 *_masks((*SYSTEM, *prefixes), hidden),
                 # Writing there could take over the wall's first process, or lower priorities.
                 *("--proc", "/proc", "--remount-ro", "/proc"),
-                *("--dev", "/dev", *_empty("/dev/pts")),  # reading a terminal would never end
-                *("--dev-bind", "/dev/full", "/dev/zero"),  # reads the same, cannot be mapped
-                *sized,
-                *("--remount-ro", "/dev"),
-                *("--chdir", str(SCRATCH)),
+                *_devices(),
+                *_memory("/dev/shm", SHARED_MEMORY_MIB << 20),
+                *_memory(str(SCRATCH), scratch_mib << 20),
+                *("--remount-ro", "/dev", "--chdir", str(SCRATCH)),
             ),
             binds=tuple(binds),
-            scratch=scratch,
+            scratch={"/dev/shm": SHARED_MEMORY_MIB << 20, str(SCRATCH): scratch_mib << 20},
             seccomp=_seccomp(writable, counted),
         )
 
@@ -115,7 +112,22 @@ def _masks(shown: tuple[str, ...], hidden: tuple[Path, ...]) -> tuple[str, ...]:
 
 def _empty(place: str) -> tuple[str, ...]:
     """Return the arguments that put an empty directory that nobody can write to at a place."""
-    return ("--size", "4096", "--tmpfs", place, "--remount-ro", place)
+    return (*_memory(place, 4096), "--remount-ro", place)
+
+
+def _memory(place: str, size: int) -> tuple[str, ...]:
+    """Return the arguments that put an empty memory file system of so many bytes at a place."""
+    return ("--size", str(size), "--tmpfs", place)
+
+
+def _devices() -> tuple[str, ...]:
+    """Return the arguments that make /dev, without terminals: reading one would never end."""
+    args = ["--tmpfs", "/dev", "--dir", "/dev/pts", "--symlink", "/proc/self/fd", "/dev/fd"]
+    for number, name in enumerate(("stdin", "stdout", "stderr")):
+        args += ["--symlink", f"/proc/self/fd/{number}", f"/dev/{name}"]
+    for name, source in DEVICES.items():
+        args += ["--dev-bind", f"/dev/{source}", f"/dev/{name}"]
+    return tuple(args)
 
 
 @cache

@@ -15,7 +15,7 @@ from judge.kit.paths import ROOT
 from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import Facts, RunLimits, Stop
 from judge.sandbox.keeper.cgroup import LEAF, SLACK_MIB, Cgroup
-from judge.sandbox.keeper.protocol import Request, decode_reply, encode_request
+from judge.sandbox.keeper.protocol import Request, decode_reply, encode
 from judge.sandbox.probe import probe
 from judge.sandbox.sandbox import Command, Sandbox
 
@@ -195,9 +195,10 @@ KERNEL_ENDS_IT = """
 import os, sys
 from judge.sandbox.keeper import watch
 from judge.sandbox.keeper.cgroup import Cgroup
-from judge.sandbox.keeper.protocol import decode_request, encode_reply
+from judge.sandbox.keeper.protocol import decode_request, encode
 Cgroup.out_of_memory = True
-os.write(1, encode_reply(watch.run(decode_request(sys.argv[1].encode()), Cgroup({}, 2))))
+request = decode_request(sys.argv[1].encode())
+os.write(1, encode(watch.run(request, None, Cgroup({}, 2))))
 """
 
 
@@ -210,7 +211,7 @@ def test_a_program_that_the_kernel_kills_for_memory_is_over_the_limit(tmp_path: 
     )
     reader, writer = os.pipe()  # the keeper's control pipe: silent, but open
     done = subprocess.run(
-        [sys.executable, "-c", KERNEL_ENDS_IT, encode_request(request).decode()],
+        [sys.executable, "-c", KERNEL_ENDS_IT, encode(request).decode()],
         **{"stdin": reader, "stdout": subprocess.PIPE, "cwd": ROOT, "timeout": 60, "check": True},
     )
     os.close(reader)

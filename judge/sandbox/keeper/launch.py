@@ -21,14 +21,15 @@ FIRST_TO_BE_KILLED = "1000"  # where memory runs out, before the keeper
 IGNORED = (signal.SIGPIPE, signal.SIGXFSZ, signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
-class LaunchError(Exception):
-    """The program could not be started; the message says why."""
+class RunError(Exception):
+    """The program could not be run, which is not its fault; the message says why."""
 
 
 class Launched(NamedTuple):
-    """A started program, and our non-blocking ends of its pipes.
+    """A program that was started, and our non-blocking ends of its pipes.
 
-    wall_stands: a pipe that stays empty if bubblewrap failed to start.
+    Behind a wall, it waits for GO on its standard input. wall_stands: a pipe that stays empty if
+    bubblewrap failed to start.
     """
 
     pid: int
@@ -37,9 +38,20 @@ class Launched(NamedTuple):
     stderr: int
     wall_stands: int
 
+    @property
+    def ended(self) -> bool:
+        """Whether it has ended; it still is to be waited for."""
+        options = os.WEXITED | os.WNOHANG | os.WNOWAIT
+        return os.waitid(os.P_PID, self.pid, options) is not None
+
+    def close(self) -> None:
+        """Close the pipes."""
+        for fd in self[1:]:
+            os.close(fd)
+
 
 def launch(request: Request) -> Launched:
-    """Start the program. Raises LaunchError; then no process or open file is left."""
+    """Start the program. Raises RunError; then no process or open file is left."""
     stdin, feed = os.pipe()
     take_out, stdout = os.pipe()
     take_err, stderr = os.pipe()
@@ -55,16 +67,16 @@ def launch(request: Request) -> Launched:
             os._exit(127)
     for fd in (stdin, stdout, stderr, wall_starting, complain):
         os.close(fd)
+    launched = Launched(pid, feed, take_out, take_err, wall_stands)
     problem = os.read(complaint, 4096)  # exec closes the other end, so this returns at once
     os.close(complaint)
     if problem:
         os.waitpid(pid, 0)
-        for fd in (feed, take_out, take_err, wall_stands):
-            os.close(fd)
-        raise LaunchError(f"{request.argv[0]}: {problem.decode()}")
-    for fd in (feed, take_out, take_err, wall_stands):
+        launched.close()
+        raise RunError(f"{request.argv[0]}: {problem.decode()}")
+    for fd in launched[1:]:
         os.set_blocking(fd, False)
-    return Launched(pid, feed, take_out, take_err, wall_stands)
+    return launched
 
 
 def become(request: Request, standard: tuple[int, int, int], wall_starting: int) -> None:

@@ -10,12 +10,12 @@ BLOCK_BYTES = 1 << 16
 
 
 class Feeder:
-    """Feeds a file to a pipe. A program that was given the file itself could overwrite it."""
+    """Feeds `head`, then a file, to a pipe. A program could overwrite a file that it was given."""
 
-    def __init__(self, source: int, pipe: int) -> None:
+    def __init__(self, source: int, pipe: int, head: bytes = b"") -> None:
         self.fd = pipe
         self._source = source
-        self._block = memoryview(b"")
+        self._block = memoryview(head)
         self._open = True
 
     def feed(self) -> bool:

@@ -1,4 +1,4 @@
-"""The messages between the judge and a keeper: one JSON array per line.
+"""The messages between the judge and a keeper: one JSON value per line.
 
 They are named tuples because the module `dataclasses` would make the keeper several MiB larger,
 and with it the smallest peak memory that can be measured.
@@ -86,41 +86,25 @@ class Facts(NamedTuple):
     all_ended: bool = True
 
 
-class Failure(NamedTuple):
-    """Why a run could not be made; the program is not to blame. all_ended: as of `Facts`."""
-
-    why: str
-    all_ended: bool = True
-
-
-def encode_request(request: Request) -> bytes:
-    """Return the request as one line."""
-    return json.dumps(request).encode() + b"\n"
+def encode(message: Request | Facts | str) -> bytes:
+    """Return a message as one line. A text replies why a run could not be made."""
+    return json.dumps(message, default=_characters).encode() + b"\n"
 
 
 def decode_request(line: bytes) -> Request:
-    """Return what `encode_request` was given."""
+    """Return the encoded request."""
     request = Request(*json.loads(line))
-    wall = request.wall
-    return request._replace(wall=None if wall is None else WallRequest(*wall))
+    return request._replace(wall=request.wall and WallRequest(*request.wall))
 
 
-def encode_reply(reply: Facts | Failure | None) -> bytes:
-    """Return the reply as one line. None: ready, the keeper's first reply."""
-    content = [] if reply is None else list(reply)
-    return json.dumps(content, default=_characters).encode() + b"\n"
-
-
-def decode_reply(line: bytes) -> Facts | Failure | None:
-    """Return what `encode_reply` was given."""
+def decode_reply(line: bytes) -> Facts | str:
+    """Return the encoded reply."""
     content = json.loads(line)
-    if not content:
-        return None
-    if len(content) == len(Failure._fields):
-        return Failure(*content)
+    if isinstance(content, str):
+        return content
     stopped, stderr, _ = content[-3:]
     return Facts(*content)._replace(
-        stopped=None if stopped is None else Stop(stopped), stderr=stderr.encode("latin-1")
+        stopped=stopped and Stop(stopped), stderr=stderr.encode("latin-1")
     )
 
 

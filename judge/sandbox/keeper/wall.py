@@ -19,9 +19,10 @@ MS_BIND, MS_REC, MS_PRIVATE, MS_NOSUID, MS_NODEV = 0x1000, 0x4000, 0x40000, 2, 4
 STAGE = "/tmp"  # every system has it; a private mount covers it
 # RLIMIT_NPROC counts the processes of a user namespace only if it is set inside; dash and bash
 # name it differently. The first command tells the keeper that the wall stands: whatever fails
-# later is the program's fault.
+# later is the program's fault. A shell reads no more of a pipe than the line that it was told to.
 STARTED = 9  # dash knows only descriptors of one digit
-INNER = 'echo >&9; exec 9>&-; ulimit -u "$0" 2>/dev/null || ulimit -p "$0"; exec "$@"'
+INNER = 'echo >&9; exec 9>&-; ulimit -u "$0" 2>/dev/null || ulimit -p "$0"; read -r _; exec "$@"'
+GO = b"\n"
 
 
 def walled(

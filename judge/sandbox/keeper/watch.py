@@ -8,10 +8,11 @@ import time
 from pathlib import Path
 
 from judge.sandbox.keeper.cgroup import SLACK_MIB, Cgroup
-from judge.sandbox.keeper.launch import LaunchError, launch
+from judge.sandbox.keeper.launch import Launched, RunError, launch
 from judge.sandbox.keeper.pipes import Feeder, Sink
 from judge.sandbox.keeper.protocol import UNLISTED_PROCESSES, Facts, Request, Stop
 from judge.sandbox.keeper.tree import Tree, peak_mib
+from judge.sandbox.keeper.wall import GO
 
 CONTROL = 0
 FIRST_SAMPLE_S, SAMPLE_S = 0.005, 0.02  # early samples, for short runs
@@ -25,27 +26,20 @@ class JudgeGoneError(Exception):
     """The judge closed its end: nobody waits for an answer."""
 
 
-class LeftError(Exception):
-    """The program itself has not ended, though it was killed."""
-
-    def __init__(self) -> None:
-        super().__init__("the program cannot be killed")
-
-
-def run(request: Request, cgroup: Cgroup) -> Facts:
+def run(request: Request, ahead: Launched | None, cgroup: Cgroup) -> Facts:
     """Run one program to its end and return the facts.
 
-    Raises LaunchError, JudgeGoneError, LeftError. After the last, or if not `all_ended`, processes
-    may be left that are still dying.
+    ahead: the program, if it was launched already and waits. Raises RunError, JudgeGoneError.
+    After the first, or if not `all_ended`, processes may be left that are still dying.
     """
     tree = Tree(request.wall.scratch if request.wall else {}, cgroup)
     cgroup.begin(request.memory_mib, request.processes + WALL_PROCESSES)
     source_path, out_path = Path(request.stdin or os.devnull), Path(request.stdout)
     with source_path.open("rb") as source, out_path.open("wb") as out:
         started = time.monotonic()
-        launched = launch(request)
+        launched = ahead or launch(request)
         pid = launched.pid
-        feeder = Feeder(source.fileno(), launched.stdin)
+        feeder = Feeder(source.fileno(), launched.stdin, GO if request.wall else b"")
         sink = Sink(launched.stdout, launched.stderr, out.fileno(), request.output_bytes)
         try:
             stopped = watch(pid, feeder, sink, tree, started, request)
@@ -62,13 +56,13 @@ def run(request: Request, cgroup: Cgroup) -> Facts:
     wall_stands = os.read(launched.wall_stands, 1) if request.wall else b"none was asked for"
     os.close(launched.wall_stands)
     if not wall_stands:
-        raise LaunchError(f"the wall cannot be built: {sink.stderr.decode('latin-1').strip()}")
+        raise RunError(f"the wall cannot be built: {sink.stderr.decode('latin-1').strip()}")
     if pid not in tree.status:
-        raise LeftError
+        raise RunError("the program cannot be killed")
     status = tree.status[pid]
     if request.wall and stopped is None and os.WIFSIGNALED(status):
         # This is bubblewrap's own process, which the program cannot reach.
-        raise LaunchError(f"the wall was ended by signal {os.WTERMSIG(status)}")
+        raise RunError(f"the wall was ended by signal {os.WTERMSIG(status)}")
     return Facts(
         exit_status=os.WEXITSTATUS(status) if os.WIFEXITED(status) else None,
         signal=os.WTERMSIG(status) if os.WIFSIGNALED(status) else None,
