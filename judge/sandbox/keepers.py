@@ -39,7 +39,7 @@ class Keeper:
     """One keeper process and the two pipes to it. It starts in the background."""
 
     def __init__(self, scratch: Path, cgroups: Cgroups) -> None:
-        places = cgroups.version, {u: f"{p}/{scratch.name}" for u, p in cgroups.places.items()}
+        places = {use: f"{place}/{scratch.name}" for use, place in cgroups.places.items()}
         process = subprocess.Popen(
             [sys.executable, "-I", "-S", "-c", BOOT, str(ROOT), str(scratch), json.dumps(places)],
             stdin=subprocess.PIPE,

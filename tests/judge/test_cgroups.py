@@ -116,7 +116,6 @@ def test_version_1_has_a_place_for_each_controller(tmp_path: Path) -> None:
         (tmp_path / name / "a").mkdir(parents=True)
         (tmp_path / name / "a" / "cgroup.procs").touch()
     groups = Cgroups(process)
-    assert groups.version == 1
     assert groups.places == {
         "memory": tmp_path / "memory" / "a",
         "pids": tmp_path / "pids" / "a",
@@ -159,7 +158,7 @@ def test_what_a_keeper_reads_and_writes(tmp_path: Path, monkeypatch, version: in
 
     monkeypatch.setattr(Path, "mkdir", kernel_mkdir)
     own = tmp_path / f"g-{os.getpid()}"
-    cgroup = Cgroup(dict.fromkeys(("memory", "pids", "cpu"), f"{tmp_path}/g"), version)
+    cgroup = Cgroup(dict.fromkeys(("memory", "pids", "cpu"), f"{tmp_path}/g"))
     assert (own / "cgroup.procs").read_text().startswith(str(os.getpid()))
     (own / "cgroup.procs").write_text(f"{os.getpid()}\n7\n8\n")
     cgroup.begin(memory_mib=100, processes=9)
@@ -183,7 +182,7 @@ def test_what_a_keeper_reads_and_writes(tmp_path: Path, monkeypatch, version: in
 
 def test_without_control_groups_nothing_is_counted(tmp_path: Path) -> None:
     # No kernel made the directory of the second one, so it has no cgroup.procs.
-    for cgroup in (Cgroup({}, 2), Cgroup({"memory": f"{tmp_path}/g"}, 1)):
+    for cgroup in (Cgroup({}), Cgroup({"memory": f"{tmp_path}/g"})):
         cgroup.begin(100, 9)
         assert (cgroup.memory_mib(), cgroup.processes(), cgroup.counts_cpu) == (None, None, False)
         assert not cgroup.out_of_memory
@@ -198,7 +197,7 @@ from judge.sandbox.keeper.cgroup import Cgroup
 from judge.sandbox.keeper.protocol import decode_request, encode
 Cgroup.out_of_memory = True
 request = decode_request(sys.argv[1].encode())
-os.write(1, encode(watch.run(request, None, Cgroup({}, 2))))
+os.write(1, encode(watch.run(request, None, Cgroup({}))))
 """
 
 

@@ -439,7 +439,7 @@ def test_a_keeper_killed_at_its_start_leaves_no_directory(
 
 def test_waiting_for_the_keeper_is_not_starvation(monkeypatch: pytest.MonkeyPatch) -> None:
     """A program with many processes to sample causes that work, and waits for its processor."""
-    tree = Tree({}, Cgroup({}, 2))
+    tree = Tree({}, Cgroup({}))
     ready_ns = int(9e9)
     monkeypatch.setattr("judge.sandbox.keeper.tree.descendants", lambda: [1, 2])
     monkeypatch.setattr("judge.sandbox.keeper.tree.read", lambda _path: f"1 {ready_ns} 1")
@@ -475,7 +475,7 @@ def test_shared_memory_is_measured_bit_by_bit(monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_a_keeper_whose_judge_died_at_once_removes_the_scratch_directory(tmp_path: Path) -> None:
-    places = json.dumps([2, {}])
+    places = json.dumps({})
     (tmp_path / "scratch" / "run-1").mkdir(parents=True)
     done = subprocess.run(
         [sys.executable, "-I", "-S", "-c", BOOT, ROOT, tmp_path / "scratch", places],

@@ -2,8 +2,8 @@
 
 The keeper moves into them once, so every program is born there, and no process can leave. So the
 kernel counts the CPU time of all of them, lists them, and, where the controllers are
-enabled, limits their memory, its own included, and their number. Both versions of the interface
-are supported: one directory for all controllers (v2), or one for each (v1).
+enabled, limits their memory, its own included, and their number. Version 2 has one directory for
+all controllers, version 1 one for each, with other files: each of both is used where it exists.
 Source: Linux, Documentation/admin-guide/cgroup-v2.rst, cgroup-v1/memory.rst, pids.rst
 """
 
@@ -27,8 +27,7 @@ class Cgroup:
     Where there is none for a controller, its figures are None and its limits do nothing.
     """
 
-    def __init__(self, places: dict[str, str], version: int) -> None:
-        self._version = version
+    def __init__(self, places: dict[str, str]) -> None:
         self._of: dict[str, Path] = {}
         for controller, place in places.items():
             directory = Path(f"{place}-{os.getpid()}")
@@ -40,32 +39,26 @@ class Cgroup:
                     directory.rmdir()
             else:
                 self._of[controller] = directory
-        if version == 2 and read(self._file("memory", "memory.max")) == "":
-            self._of.pop("memory", None)  # there, but without this controller
-        if version == 2 and read(self._file("pids", "pids.max")) == "":
-            self._of.pop("pids", None)
+        self.counts_cpu = "cpu" in self._of
         self._own_mib = self._began_mib = self._held_mib() or 0.0
         self._cpu_began_s = self._kills_began = 0.0
-
-    @property
-    def counts_cpu(self) -> bool:
-        """Whether `cpu_s` counts."""
-        return "cpu" in self._of
 
     def begin(self, memory_mib: int, processes: int) -> None:
         """Set the limits of the next program, and count from now on."""
         # What an earlier program has left does not raise the limit for long.
         self._own_mib = min(self._held_mib() or 0.0, self._began_mib + SLACK_MIB)
         most = int((memory_mib + SLACK_MIB + self._own_mib) * 2**20)
-        if self._version == 2:
-            self._set("memory", "memory.swap.max", 0)
-            self._set("memory", "memory.max", most)
-        else:
-            # Memory and swap together may never be less than memory alone.
-            self._set("memory", "memory.memsw.limit_in_bytes", UNLIMITED)
-            self._set("memory", "memory.limit_in_bytes", most)
-            self._set("memory", "memory.memsw.limit_in_bytes", most)
-        self._set("pids", "pids.max", processes + 1)  # and the keeper
+        for controller, name, value in (
+            ("pids", "pids.max", processes + 1),  # and the keeper
+            ("memory", "memory.swap.max", 0),
+            ("memory", "memory.max", most),
+            # In version 1, memory and swap together may never be less than memory alone.
+            ("memory", "memory.memsw.limit_in_bytes", UNLIMITED),
+            ("memory", "memory.limit_in_bytes", most),
+            ("memory", "memory.memsw.limit_in_bytes", most),
+        ):
+            with contextlib.suppress(OSError):  # a file of the other version
+                write(self._file(controller, name), value)
         self._cpu_began_s = self._cpu_s()
         self._kills_began = self._kills()
 
@@ -91,7 +84,7 @@ class Cgroup:
         return None
 
     def close(self) -> None:
-        """Leave and remove the control groups; more than once does no harm."""
+        """Leave and remove the control groups."""
         for directory in dict.fromkeys(self._of.values()):
             # With version 2, no process may be in the parent while it has controllers enabled.
             for target in (directory.parent, directory.parent / LEAF):
@@ -100,43 +93,38 @@ class Cgroup:
                     break
             with contextlib.suppress(OSError):
                 directory.rmdir()
-        self._of = {}
 
     def _held_mib(self) -> float | None:
         """Return the memory that is not a cache of files: such caches go when memory is short."""
-        current = "memory.current" if self._version == 2 else "memory.usage_in_bytes"
-        used = read(self._file("memory", current))
+        used = self._read("memory", "memory.current", "memory.usage_in_bytes")
         if not used:
             return None
-        stat = _numbers(read(self._file("memory", "memory.stat")))
-        cache = stat.get("file" if self._version == 2 else "total_cache", 0)
-        shared = stat.get("shmem" if self._version == 2 else "total_shmem", 0)
+        stat = _numbers(self._read("memory", "memory.stat"))
+        cache = stat.get("total_cache", stat.get("file", 0))
+        shared = stat.get("total_shmem", stat.get("shmem", 0))
         return (int(used) - max(0, cache - shared)) / 2**20
 
     def _cpu_s(self) -> float:
-        if self._version == 2:
-            return _numbers(read(self._file("cpu", "cpu.stat"))).get("usage_usec", 0) / 1e6
-        return int(read(self._file("cpu", "cpuacct.usage")) or 0) / 1e9
+        used = _numbers(self._read("cpu", "cpu.stat")).get("usage_usec", 0) / 1e6
+        return used or int(self._read("cpu", "cpuacct.usage") or 0) / 1e9
 
     def _kills(self) -> int:
-        file = "memory.events" if self._version == 2 else "memory.oom_control"
-        return _numbers(read(self._file("memory", file))).get("oom_kill", 0)
+        events = self._read("memory", "memory.events", "memory.oom_control")
+        return _numbers(events).get("oom_kill", 0)
 
     def _file(self, controller: str, name: str) -> Path:
         return self._of.get(controller, Path("/nonexistent")) / name
 
-    def _set(self, controller: str, name: str, value: int) -> None:
-        with contextlib.suppress(OSError):  # no such controller, or no accounting of swap
-            write(self._file(controller, name), value)
+    def _read(self, controller: str, *names: str) -> str:
+        """Return the text of whichever file exists, empty if none does."""
+        texts = (read(self._file(controller, name)) for name in names)
+        return next(filter(None, texts), "")
 
 
 def write(path: Path, value: int) -> None:
     """Write a number to a file of a control group. Raises OSError."""
-    fd = os.open(path, os.O_WRONLY)
-    try:
-        os.write(fd, str(value).encode())
-    finally:
-        os.close(fd)
+    with path.open("r+b", buffering=0) as file:
+        file.write(str(value).encode())
 
 
 def _numbers(text: str) -> dict[str, int]:

@@ -9,8 +9,7 @@ import signal
 from pathlib import Path
 from typing import NamedTuple
 
-from judge.sandbox.keeper.libc import LIBC
-from judge.sandbox.keeper.proc import threads_of
+from judge.sandbox.keeper.proc import LIBC, threads_of
 from judge.sandbox.keeper.protocol import Request
 from judge.sandbox.keeper.wall import STARTED, become_user, walled
 

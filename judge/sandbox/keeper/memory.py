@@ -6,12 +6,13 @@ is not counted: docs/security.md says how much that can be.
 
 from __future__ import annotations
 
+import contextlib
 import os
+import platform
 import time
 from collections.abc import Mapping, Sequence
 
-from judge.sandbox.keeper.libc import system_call
-from judge.sandbox.keeper.proc import EXITING, FLAGS, Process, fields, read
+from judge.sandbox.keeper.proc import EXITING, FLAGS, LIBC, Process, fields, read
 
 INODE_BYTES = 1024  # about what a file of a memory file system takes, with its name
 SOCKET_BYTES = 2 * 212992  # unread ones: the kernel allows twice the default of its setting
@@ -61,28 +62,25 @@ class Memory:
 
     def _held_mib(self, live: Sequence[Process]) -> float:
         """Return what the scratch file systems and sockets behind the wall hold, as seen there."""
-        if not self._scratch:
-            return 0.0
-        held = (self._held_bytes(process) for process in live)
-        return next((found for found in held if found is not None), 0) / 2**20
+        for process in live if self._scratch else ():
+            with contextlib.suppress(OSError):
+                return self._seen_mib(process)
+        return 0.0
 
-    def _held_bytes(self, process: Process) -> int | None:
-        """Return the bytes held as seen by `process`, None if it does not see all of the scratch.
+    def _seen_mib(self, process: Process) -> float:
+        """Return what `process` sees to be held. Raises OSError if it does not see the scratch.
 
         A file system of another size belongs to the host: the wall is still being built.
         """
         held = 0
         for place, size in self._scratch.items():
-            try:
-                seen = os.statvfs(f"{process.place}/root{place}")
-            except OSError:
-                return None
+            seen = os.statvfs(f"{process.place}/root{place}")
             if seen.f_blocks * seen.f_frsize != size:
-                return None
+                raise OSError
             held += (seen.f_blocks - seen.f_bfree) * seen.f_frsize
             held += (seen.f_files - seen.f_ffree) * INODE_BYTES
         sockets = read(f"{process.place}/net/sockstat").split()  # sockets: used 8 ...
-        return held + (int(sockets[2]) * SOCKET_BYTES if sockets else 0)
+        return (held + int(sockets[2]) * SOCKET_BYTES if sockets else held) / 2**20
 
 
 def proportional_mib(process: Process, without_scratch: bool) -> float:
@@ -119,4 +117,5 @@ def distinct(processes: Sequence[Process]) -> list[Process]:
 def _same_memory(one: Process, other: Process) -> bool:
     """Tell whether two processes share their memory; False if unknown. Source: kcmp(2)."""
     first, second = (int(process.place.rpartition("/")[2]) for process in (one, other))
-    return system_call(KCMP, first, second, KCMP_VM, 0, 0) == 0
+    call = KCMP.get(platform.machine(), -1)
+    return bool(LIBC.syscall(call, first, second, KCMP_VM, 0, 0) == 0)

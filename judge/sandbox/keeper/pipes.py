@@ -20,17 +20,14 @@ class Feeder:
 
     def feed(self) -> bool:
         """Write what fits; return whether there is more. At the end, close the pipe."""
-        while True:
-            if not self._block:
-                self._block = memoryview(os.read(self._source, BLOCK_BYTES))
-            if not self._block:
-                break
-            try:
-                self._block = self._block[os.write(self.fd, self._block) :]
-            except BlockingIOError:
-                return True
-            except BrokenPipeError:  # the program has closed its input early
-                break
+        try:
+            while block := self._block or memoryview(os.read(self._source, BLOCK_BYTES)):
+                self._block = block
+                self._block = block[os.write(self.fd, block) :]
+        except BlockingIOError:
+            return True
+        except BrokenPipeError:  # the program has closed its input early
+            pass
         self.close()
         return False
 
@@ -79,16 +76,11 @@ class Sink:
     def _read(self, fd: int) -> bool:
         """Read once; return False at the end of the pipe. Raises BlockingIOError."""
         block = os.read(fd, BLOCK_BYTES)
+        self.written += len(block)
         if fd == self._stderr_fd:
             self.stderr += block[: STDERR_BYTES - len(self.stderr)]
         else:
-            _write_all(self._file, block[: max(0, self._limit - self.written)])
-        self.written += len(block)
+            rest = block[: max(0, self._limit - self.written + len(block))]
+            while rest:  # one call may write only a part
+                rest = rest[os.write(self._file, rest) :]
         return bool(block)
-
-
-def _write_all(fd: int, block: bytes) -> None:
-    """Write a whole block; one call may write only a part of it. Raises OSError."""
-    rest = memoryview(block)
-    while rest:
-        rest = rest[os.write(fd, rest) :]

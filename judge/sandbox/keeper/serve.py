@@ -17,7 +17,7 @@ from pathlib import Path
 
 from judge.sandbox.keeper.cgroup import Cgroup
 from judge.sandbox.keeper.launch import Launched, RunError, launch
-from judge.sandbox.keeper.libc import LIBC
+from judge.sandbox.keeper.proc import LIBC
 from judge.sandbox.keeper.protocol import Facts, Request, decode_request, encode
 from judge.sandbox.keeper.tree import Tree
 from judge.sandbox.keeper.watch import JudgeGoneError, run
@@ -38,8 +38,7 @@ def main() -> None:
         with contextlib.suppress(OSError):
             Path("/proc/self", file).write_text(value)
     scratch = sys.argv[2]
-    version, places = json.loads(sys.argv[3])
-    cgroup = Cgroup(places, version)
+    cgroup = Cgroup(json.loads(sys.argv[3]))
     try:
         if not serve(cgroup):
             return  # the judge goes on with another keeper, and the scratch directory stays

@@ -24,6 +24,7 @@ class Tree:
     ones with their reaped children) misses children that were reaped automatically. The sum over
     all processes at their last sample misses what was used after that sample. A control group
     misses nothing, where it counts; then no process is sampled.
+    memory_mib: the largest sample; largest_mib: of one reaped process, exact to the page.
 
     scratch: see `memory.Memory`.
     """
@@ -33,8 +34,8 @@ class Tree:
         self._cgroup = cgroup
         self.cpu_s = 0.0
         self.memory_mib = 0.0
+        self.largest_mib = 0.0
         self.processes = 0
-        self.largest_mib = 0.0  # of one reaped process, exact to the page
         self.status: dict[int, int] = {}
         self._reaped_s = 0.0
         self._own_began_s = time.process_time()
@@ -55,16 +56,6 @@ class Tree:
         self.memory_mib = max(self.memory_mib, memory_mib)
         self.cpu_s = max(self.cpu_s, self._counted_s())
 
-    @property
-    def listed(self) -> bool:
-        """Whether a control group lists the processes."""
-        return self._cgroup.processes() is not None
-
-    @property
-    def out_of_memory(self) -> bool:
-        """Whether the kernel killed a process because the memory was used up."""
-        return self._cgroup.out_of_memory
-
     def pids(self) -> list[int]:
         """Return all processes, parents first where no control group lists them."""
         listed = self._cgroup.processes()
@@ -83,10 +74,7 @@ class Tree:
     def end(self) -> bool:
         """Kill and reap everything; return whether no process is left, as some die slowly."""
         began = time.monotonic()
-        while self._reap():
-            waited_s = time.monotonic() - began
-            if waited_s > REAP_TIMEOUT_S:
-                break
+        while self._reap() and (waited_s := time.monotonic() - began) < REAP_TIMEOUT_S:
             if waited_s > ORDERLY_END_S:
                 # Stop them first: a stopped process cannot fork while the others are signalled.
                 signal_all(self.pids(), signal.SIGSTOP)
@@ -99,6 +87,13 @@ class Tree:
         self.cpu_s = max(self.cpu_s, self._reaped_s, self._counted_s())
         return not self._reap()
 
+    def peak_mib(self) -> float:
+        """Return the peak memory. A small program shows the keeper's peak; then samples decide."""
+        keeper_mib = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+        if self.largest_mib <= keeper_mib and self.memory_mib > 0:
+            return self.memory_mib
+        return max(self.largest_mib, self.memory_mib)
+
     def _counted_s(self) -> float:
         """Return what the control group counted, without the keeper itself, which is in it."""
         return self._cgroup.cpu_s() - self._own_s() if self._cgroup.counts_cpu else 0.0
@@ -108,16 +103,13 @@ class Tree:
 
     def _reap(self) -> bool:
         """Reap what has ended; return whether anything still lives."""
-        while True:
-            try:
-                pid, status, usage = os.wait4(-1, os.WNOHANG)
-            except ChildProcessError:
-                return False
-            if pid == 0:
-                return True
-            self.status[pid] = status
-            self._reaped_s += usage.ru_utime + usage.ru_stime
-            self.largest_mib = max(self.largest_mib, usage.ru_maxrss / 1024)
+        with contextlib.suppress(ChildProcessError):
+            while (ended := os.wait4(-1, os.WNOHANG))[0]:
+                pid, self.status[pid], usage = ended
+                self._reaped_s += usage.ru_utime + usage.ru_stime
+                self.largest_mib = max(self.largest_mib, usage.ru_maxrss / 1024)
+            return True
+        return False
 
 
 def signal_all(pids: list[int], number: int) -> None:
@@ -125,11 +117,3 @@ def signal_all(pids: list[int], number: int) -> None:
     for pid in pids:
         with contextlib.suppress(ProcessLookupError):
             os.kill(pid, number)
-
-
-def peak_mib(tree: Tree) -> float:
-    """Return the peak memory. A small program shows the keeper's peak; then samples decide."""
-    keeper_mib = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
-    if tree.largest_mib <= keeper_mib and tree.memory_mib > 0:
-        return tree.memory_mib
-    return max(tree.largest_mib, tree.memory_mib)

@@ -11,7 +11,7 @@ import ctypes
 import os
 from pathlib import Path
 
-from judge.sandbox.keeper.libc import LIBC
+from judge.sandbox.keeper.proc import LIBC
 from judge.sandbox.keeper.protocol import WallRequest
 
 CLONE_NEWNS = 0x20000

@@ -11,7 +11,7 @@ from judge.sandbox.keeper.cgroup import SLACK_MIB, Cgroup
 from judge.sandbox.keeper.launch import Launched, RunError, launch
 from judge.sandbox.keeper.pipes import Feeder, Sink
 from judge.sandbox.keeper.protocol import UNLISTED_PROCESSES, Facts, Request, Stop
-from judge.sandbox.keeper.tree import Tree, peak_mib
+from judge.sandbox.keeper.tree import Tree
 from judge.sandbox.keeper.wall import GO
 
 CONTROL = 0
@@ -38,17 +38,16 @@ def run(request: Request, ahead: Launched | None, cgroup: Cgroup) -> Facts:
     with source_path.open("rb") as source, out_path.open("wb") as out:
         started = time.monotonic()
         launched = ahead or launch(request)
-        pid = launched.pid
         feeder = Feeder(source.fileno(), launched.stdin, GO if request.wall else b"")
         sink = Sink(launched.stdout, launched.stderr, out.fileno(), request.output_bytes)
         try:
-            stopped = watch(pid, feeder, sink, tree, started, request)
+            stopped = watch(launched.pid, feeder, sink, tree, started, request, cgroup)
         finally:
-            if tree.listed:  # what its children hold when it ends counts, and is told at once
+            if cgroup.processes() is not None:  # what its children hold at the end counts
                 tree.sample(request.memory_mib)
             all_ended = tree.end()
             feeder.close()
-        if stopped in (None, Stop.MEMORY) and tree.out_of_memory:
+        if stopped in (None, Stop.MEMORY) and cgroup.out_of_memory:
             stopped = Stop.MEMORY
             tree.memory_mib = max(tree.memory_mib, request.memory_mib + SLACK_MIB)
         elapsed_s = time.monotonic() - started
@@ -57,10 +56,10 @@ def run(request: Request, ahead: Launched | None, cgroup: Cgroup) -> Facts:
     os.close(launched.wall_stands)
     if not wall_stands:
         raise RunError(f"the wall cannot be built: {sink.stderr.decode('latin-1').strip()}")
-    if pid not in tree.status:
+    if launched.pid not in tree.status:
         raise RunError("the program cannot be killed")
-    status = tree.status[pid]
-    if request.wall and stopped is None and os.WIFSIGNALED(status):
+    status = tree.status[launched.pid]
+    if stopped is None and request.wall and os.WIFSIGNALED(status):
         # This is bubblewrap's own process, which the program cannot reach.
         raise RunError(f"the wall was ended by signal {os.WTERMSIG(status)}")
     return Facts(
@@ -68,7 +67,7 @@ def run(request: Request, ahead: Launched | None, cgroup: Cgroup) -> Facts:
         signal=os.WTERMSIG(status) if os.WIFSIGNALED(status) else None,
         cpu_s=tree.cpu_s,
         elapsed_s=elapsed_s,
-        memory_mib=peak_mib(tree),
+        memory_mib=tree.peak_mib(),
         output_bytes=sink.written,
         stopped=stopped,
         stderr=sink.stderr,
@@ -77,7 +76,13 @@ def run(request: Request, ahead: Launched | None, cgroup: Cgroup) -> Facts:
 
 
 def watch(
-    pid: int, feeder: Feeder, sink: Sink, tree: Tree, started: float, request: Request
+    pid: int,
+    feeder: Feeder,
+    sink: Sink,
+    tree: Tree,
+    started: float,
+    request: Request,
+    cgroup: Cgroup,
 ) -> Stop | None:
     """Serve the pipes until the program ends (return None) or passes a limit (return which)."""
     pidfd = os.pidfd_open(pid)
@@ -88,7 +93,7 @@ def watch(
         poll.register(fd, select.POLLIN)
     poll.register(feeder.fd, select.POLLOUT)
     most_processes = request.processes
-    if not tree.listed:
+    if cgroup.processes() is None:
         most_processes = min(most_processes, UNLISTED_PROCESSES)
     next_sample = started + FIRST_SAMPLE_S
     try:
@@ -111,7 +116,7 @@ def watch(
             tree.sample(request.memory_mib)
             slow_s = (time.monotonic() - now) / SAMPLES_SHARE
             next_sample = now + max(slow_s, min(growing_s, SAMPLE_S))
-            if tree.memory_mib > request.memory_mib or tree.out_of_memory:
+            if tree.memory_mib > request.memory_mib or cgroup.out_of_memory:
                 return Stop.MEMORY
             if tree.processes > most_processes:
                 return Stop.PROCESSES
