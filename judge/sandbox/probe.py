@@ -42,24 +42,20 @@ def walled_sandbox(keepers: int = 1, hidden: tuple[Path, ...] = ()) -> Sandbox:
     why = "no bwrap is installed"
     for wall in candidates(hidden):
         try:
-            sandbox = Sandbox(wall, keepers)
-        except SandboxError as error:
-            why = f"{wall.bwrap}: {_line(error)}"
-            continue
-        try:
-            output = sandbox.scratch / "probe"
-            facts = sandbox.run(Command(("/bin/sh", "-c", ":")), PROBE_LIMITS, stdout=output)
-            if facts.exit_status == 0:
-                return sandbox
-            why = f"{wall.bwrap}: a trial run ended with exit status {facts.exit_status}"
+            return _tried(Sandbox(wall, keepers))
         except (SandboxError, KeyError) as error:
-            why = f"{wall.bwrap}: {_line(error)}"
-        except BaseException:
-            sandbox.close()
-            raise
-        sandbox.close()
+            why = f"{wall.bwrap}: {printable_lines(str(error).encode(), lines=1)}"
     raise NoWallError(why)
 
 
-def _line(error: Exception) -> str:
-    return printable_lines(str(error).encode(), lines=1)
+def _tried(sandbox: Sandbox) -> Sandbox:
+    """Return the sandbox after a trial run; close it if that fails. Raises SandboxError."""
+    output = sandbox.scratch / "probe"
+    try:
+        facts = sandbox.run(Command(("/bin/sh", "-c", ":")), PROBE_LIMITS, stdout=output)
+        if facts.exit_status != 0:
+            raise SandboxError(f"a trial run ended with exit status {facts.exit_status}")
+    except BaseException:
+        sandbox.close()
+        raise
+    return sandbox

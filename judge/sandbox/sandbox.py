@@ -17,7 +17,7 @@ from judge.sandbox.keeper.protocol import Request
 from judge.sandbox.keeper.remove import remove
 from judge.sandbox.keeper.wall import open_to_all
 from judge.sandbox.keepers import Keeper, LostKeeperError, SandboxError
-from judge.sandbox.retry import TRIES, killed_by_another, out_of_memory_kills
+from judge.sandbox.retry import killed_by_another, out_of_memory_kills
 from judge.sandbox.wall import PROGRAM, SCRATCH, Wall
 
 __all__ = ["Command", "Sandbox", "SandboxError"]
@@ -99,16 +99,14 @@ class Sandbox:
         If the kernel killed it, or its keeper, for want of memory on this machine, it is repeated
         once (see `judge.sandbox.retry`). Raises SandboxError.
         """
-        for _ in range(TRIES - 1):
-            kills = out_of_memory_kills()
-            try:
-                facts = self._run(command, limits, stdin, stdout, compiling)
-            except LostKeeperError:
-                if self._closed or out_of_memory_kills() == kills:
-                    raise
-            else:
-                if not killed_by_another(facts) or out_of_memory_kills() == kills:
-                    return facts
+        kills = out_of_memory_kills()
+        try:
+            facts = self._run(command, limits, stdin, stdout, compiling)
+            if not killed_by_another(facts) or out_of_memory_kills() == kills:
+                return facts
+        except LostKeeperError:
+            if self._closed or out_of_memory_kills() == kills:
+                raise
         return self._run(command, limits, stdin, stdout, compiling)
 
     def _run(

@@ -54,6 +54,19 @@ ATTEMPTS = {
     "new user namespace": "print('yes' if libc.unshare(0x10000000) == 0 else '')",
     "remount": "print('yes' if libc.mount(b'', b'/usr', b'', 32, None) == 0 else '')",
     "new mount": "print('yes' if libc.mount(b't', b'/tmp', b'tmpfs', 0, None) == 0 else '')",
+    "unmount": "print('yes' if libc.umount2(b'/tmp', 2) == 0 else '')",
+    "new root": "print('yes' if libc.chroot(b'/tmp') == 0 else '')",
+    "turned root": "print('yes' if libc.syscall(155, b'/tmp', b'/tmp') == 0 else '')",
+    "a mount without a place": "print('yes' if libc.fsopen(b'tmpfs', 0) >= 0 else '')",
+    "a copied mount": "print('yes' if libc.open_tree(-100, b'/tmp', 1) >= 0 else '')",
+    "another name": "print('yes' if libc.sethostname(b'x', 1) == 0 else '')",
+    "another namespace": "print('yes' if libc.setns(os.open('/proc/self/ns/mnt', 0), 0) == 0 "
+    "else '')",
+    "files by number": "print('yes' if libc.open_by_handle_at(-100, bytes(99), 0) >= 0 else '')",
+    "a kernel module": "print('yes' if libc.syscall(313, 0, b'', 0) == 0 else '')",
+    "swap": "open('/tmp/s', 'wb').write(bytes(99)); "
+    "print('yes' if libc.swapon(b'/tmp/s', 0) == 0 else '')",
+    "an io_uring": "print('yes' if libc.syscall(425, 4, bytes(256)) >= 0 else '')",
     "trace": "print('yes' if libc.ptrace(16, os.getppid(), 0, 0) == 0 else '')",
     "hidden memory": "print(os.memfd_create('x'))",
     "memory without a name": "import mmap; mmap.mmap(-1, 4096); print('mapped')",
@@ -190,7 +203,9 @@ ALLOWED, KILLED, DONE, NOT_PERMITTED, NO_SUCH_CALL = (
 # Number on x86_64 and on aarch64 (None: no such call), arguments, and the filter's decision.
 FILTERED = {
     "read": ((0, 63), (), ALLOWED),
-    "mount": ((165, 40), (), NOT_PERMITTED),
+    "trace": ((101, 117), (), NOT_PERMITTED),
+    "unshare": ((272, 97), (), NOT_PERMITTED),
+    "io_uring": ((425, 425), (), NOT_PERMITTED),
     "inotify_init": ((253, None), (), NOT_PERMITTED),
     "inotify_init1": ((294, 26), (), NOT_PERMITTED),
     "clone a thread": ((56, 220), (0x3D0F00,), ALLOWED),
