@@ -15,8 +15,9 @@ from typing import Any
 from judge.kit.errors import KitError
 from judge.kit.paths import ROOT
 from judge.sandbox.cgroups import Cgroups
+from judge.sandbox.facts import Facts
 from judge.sandbox.keeper import BOOT
-from judge.sandbox.keeper.protocol import Facts, Request, decode_reply, encode
+from judge.sandbox.keeper.protocol import Request, decode_reply, encode
 
 ANSWER_MARGIN_S = 30.0  # extra time for a reply before the keeper counts as lost
 END_TIMEOUT_S = 15.0
@@ -63,7 +64,7 @@ class Keeper:
 
     def ask(self, request: Request) -> Facts:
         """Send one request and wait for the reply. Raises SandboxError; then the keeper is lost."""
-        give_up = time.monotonic() + request.kill_elapsed_s + ANSWER_MARGIN_S
+        give_up = time.monotonic() + request.limits.kill_elapsed_s + ANSWER_MARGIN_S
         line = b""
         try:
             self._requests.write(encode(request))

@@ -23,7 +23,6 @@ from judge.sandbox.wall import PROGRAM, SCRATCH, Wall
 __all__ = ["Command", "Sandbox", "SandboxError"]
 
 LEAST_SCRATCH_KIB = 1024  # if less is left, a failed compilation may lack space
-FILE_MIB = 256  # the largest file a run may write into its scratch directory
 ENDED = "the judging was ended"
 
 
@@ -46,9 +45,8 @@ class Sandbox:
     """A pool of keepers and a scratch directory, both gone when it is closed.
 
     Any number of threads may call `run` at once; each run has a keeper to itself. keepers:
-    how many to start in advance.
-    The keepers remove the scratch directory if this process dies for any reason. Raises
-    SandboxError if it cannot be made.
+    how many to start in advance. They remove the scratch directory if this process dies for any
+    reason. Raises SandboxError if it cannot be made.
     """
 
     def __init__(
@@ -60,20 +58,18 @@ class Sandbox:
         self.scratch = Path(tempfile.gettempdir()).resolve() / name
         self._lock = threading.Lock()
         self._closed = False
-        self._idle: list[Keeper] = []
         self._all: list[Keeper] = []
+        self._idle: list[Keeper] = []
         try:
             for _ in range(keepers):
-                self._all.append(Keeper(self.scratch, self._cgroups))
-            self._idle += self._all
+                self._idle.append(self._new_keeper())
             # Made when a keeper is there that will remove it. Root's programs run as another
             # user, who must be able to enter but not to list it.
             self.scratch.mkdir(mode=0o700 if os.getuid() else 0o711)
-        except OSError as error:
+        except BaseException as error:  # even KeyboardInterrupt: the directory may exist
             self.close()
-            raise self._no_space(error) from None
-        except BaseException:  # even KeyboardInterrupt: the directory may exist
-            self.close()
+            if isinstance(error, OSError):
+                raise self._no_space(error) from None
             raise
 
     def __enter__(self) -> Self:
@@ -117,49 +113,39 @@ class Sandbox:
         stdout: Path,
         compiling: bool,
     ) -> Facts:
+        home = SCRATCH if self.wall else self.new_directory("run-")
         keeper = self._take()
-        own: Path | None = None
         try:
             wall = user = None
-            if self.wall is None:
-                own = self.new_directory("run-")
-            else:
-                wall = self.wall.request(
-                    command.directory,
-                    writable=compiling,
-                    prefixes=command.prefixes,
-                    counted=self._cgroups.count_cpu,
-                )
-            if os.getuid() == 0 and (wall is not None or self._open_to_all(command)):
+            if self.wall:
+                counted = self._cgroups.count_cpu
+                wall = self.wall.request(command.directory, compiling, command.prefixes, counted)
+            if os.getuid() == 0 and (wall or self._open_to_all(command)):
                 user = keeper.user
-                for directory in (own, command.directory if compiling else None):
-                    if directory is not None:
-                        os.chown(directory, user, user)
-            home = SCRATCH if own is None else own
+                if not wall:
+                    os.chown(home, user, user)
+                if compiling and command.directory:
+                    os.chown(command.directory, user, user)
             request = Request(
                 argv=command.argv,
                 env={**command.env, "HOME": str(home), "TMPDIR": str(home)},
-                cwd="/" if own is None else str(own),
+                cwd="/" if wall else str(home),
                 user=user,
                 wall=wall,
                 stdin=None if stdin is None else str(stdin),
                 stdout=str(stdout),
-                kill_cpu_s=limits.kill_cpu_s,
-                kill_elapsed_s=limits.kill_elapsed_s,
-                memory_mib=limits.memory_mib,
-                output_bytes=limits.output_bytes,
-                processes=limits.processes,
-                file_mib=FILE_MIB,
+                limits=limits,
             )
             facts = keeper.ask(request)
         except BaseException:
             keeper.end()
             raise
         finally:
-            if own is not None:
-                remove(own)
+            if not self.wall:
+                remove(home)
         if facts.all_ended:
-            self._give_back(keeper)
+            with self._lock:
+                self._idle.append(keeper)
         return facts
 
     @property
@@ -173,21 +159,13 @@ class Sandbox:
 
     def inside(self, directory: Path) -> Path:
         """Return the path at which a program sees its `directory`."""
-        return directory if self.wall is None else PROGRAM
+        return PROGRAM if self.wall else directory
 
     def new_program_directory(self) -> Path:
         """Return an empty directory that a compiler behind the wall may write to."""
         directory = self.new_directory("program-")
         directory.chmod(0o755)
         return directory
-
-    def _open_to_all(self, command: Command) -> bool:
-        """Tell whether every user can reach the files that the command needs."""
-        needed = (os.path.realpath(command.argv[0]), *command.prefixes, f"{self.scratch}/run")
-        try:
-            return all(map(open_to_all, needed))
-        except OSError:  # a file is missing: the launch will report it
-            return False
 
     def new_directory(self, prefix: str) -> Path:
         """Return an empty directory that exists until `close`. Raises SandboxError."""
@@ -197,9 +175,6 @@ class Sandbox:
             return Path(tempfile.mkdtemp(dir=self.scratch, prefix=prefix))
         except OSError as error:
             raise self._no_space(error) from None
-
-    def _no_space(self, error: OSError) -> SandboxError:
-        return SandboxError(f"{self.scratch.parent}: no scratch space: {error.strerror}")
 
     def check_space(self) -> None:
         """Raise SandboxError if less than LEAST_SCRATCH_KIB is left for scratch files."""
@@ -215,25 +190,35 @@ class Sandbox:
         """Stop all runs and keepers and remove the scratch directory; may be called twice."""
         with self._lock:
             self._closed = True
-            keepers = list(self._all)
-        for keeper in keepers:
+        for keeper in self._all:
             keeper.hang_up()
-        for keeper in keepers:
+        for keeper in self._all:
             keeper.end()
         self._cgroups.close(self.scratch.name)
         remove(self.scratch)
+
+    def _no_space(self, error: OSError) -> SandboxError:
+        return SandboxError(f"{self.scratch.parent}: no scratch space: {error.strerror}")
+
+    def _open_to_all(self, command: Command) -> bool:
+        """Tell whether every user can reach the files that the command needs."""
+        needed = (os.path.realpath(command.argv[0]), *command.prefixes, f"{self.scratch}/run")
+        try:
+            return all(map(open_to_all, needed))
+        except OSError:  # a file is missing: the launch will report it
+            return False
 
     def _take(self) -> Keeper:
         with self._lock:
             if self._closed:
                 raise SandboxError(ENDED)
-            if self._idle:
-                return self._idle.pop()
-            keeper = Keeper(self.scratch, self._cgroups)
-            self._all = [k for k in self._all if k.alive()] + [keeper]
-            return keeper
+            while self._idle:
+                keeper = self._idle.pop()
+                if keeper.alive():
+                    return keeper
+            return self._new_keeper()
 
-    def _give_back(self, keeper: Keeper) -> None:
-        with self._lock:
-            if keeper.alive():
-                self._idle.append(keeper)
+    def _new_keeper(self) -> Keeper:
+        keeper = Keeper(self.scratch, self._cgroups)
+        self._all = [each for each in self._all if each.alive()] + [keeper]
+        return keeper

@@ -21,7 +21,7 @@ from pathlib import Path
 from judge.kit.paths import ROOT
 from judge.kit.text import printable_lines
 from judge.sandbox.keeper.protocol import WallRequest
-from judge.sandbox.keeper.wall import open_to_all
+from judge.sandbox.keeper.wall import STAGE, open_to_all
 from judge.sandbox.seccomp import filter_program
 
 PROGRAM = Path("/program")  # where a program sees its directory
@@ -34,10 +34,16 @@ SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64")
 # What run-time systems and compilers read in /etc; it holds no accounts and no keys.
 RUN_SETTINGS = ("alternatives", "ld.so.cache", "java*")
 COMPILER_SETTINGS = (*RUN_SETTINGS, "ld.so.conf", "ld.so.conf.d")
-
-
 # Each device, and what lies there: `full` reads the same as `zero`, but cannot be mapped.
+# There is no terminal: reading one would never end.
 DEVICES = {"null": "null", "zero": "full", "full": "full", "random": "random", "urandom": "urandom"}
+BASE = (
+    *("--unshare-all", "--unshare-user", "--uid", "65534", "--gid", "65534"),
+    *("--hostname", "wall", "--cap-drop", "ALL", "--die-with-parent", "--new-session"),
+    # Writing there could take over the wall's first process, or lower priorities.
+    *("--proc", "/proc", "--remount-ro", "/proc", "--chdir", str(SCRATCH)),
+    *("--tmpfs", "/dev", "--dir", "/dev/pts", "--symlink", "/proc/self/fd", "/dev/fd"),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +61,7 @@ class Wall:
         return f"{_version(self.bwrap)} with seccomp"
 
     def request(
-        self, program: Path | None, *, writable: bool, prefixes: tuple[str, ...], counted: bool
+        self, program: Path | None, writable: bool, prefixes: tuple[str, ...], counted: bool
     ) -> WallRequest:
         """Return what the keeper needs to build the wall.
 
@@ -63,34 +69,55 @@ class Wall:
         compiler may write there. prefixes: directories outside the system that hold its tools.
         counted: a control group counts the CPU time of every process.
         """
-        scratch_mib = COMPILER_SCRATCH_MIB if writable else RUN_SCRATCH_MIB
+        staged: list[str] = []
+
+        def reached(path: Path) -> str:
+            """Return where the user that bubblewrap runs as reaches a path."""
+            if os.getuid() != 0 or open_to_all(path):
+                return str(path)
+            staged.append(str(path))
+            return f"{STAGE}/{len(staged) - 1}"
+
         hidden = (ROOT, Path.home(), Path(tempfile.gettempdir()), *self.hidden)
-        binds = [(prefix, prefix, False) for prefix in prefixes]
+        args = [*BASE, *_system(writable)]
+        for name, source in DEVICES.items():
+            args += ["--dev-bind", f"/dev/{source}", f"/dev/{name}"]
+        for number, name in enumerate(("stdin", "stdout", "stderr")):
+            args += ["--symlink", f"/proc/self/fd/{number}", f"/dev/{name}"]
+        scratch_mib = COMPILER_SCRATCH_MIB if writable else RUN_SCRATCH_MIB
+        scratch = {"/dev/shm": SHARED_MEMORY_MIB << 20, str(SCRATCH): scratch_mib << 20}
+        for place, size in scratch.items():
+            args += ["--size", str(size), "--tmpfs", place]
+        for prefix in prefixes:
+            args += ["--ro-bind", reached(Path(prefix)), prefix]
+        args += _masks((*SYSTEM, *prefixes), hidden)
         if program is not None:
-            binds.append((str(program), str(PROGRAM), writable))
-        return WallRequest(
-            bwrap=str(self.bwrap),
-            args=(
-                *("--unshare-all", "--unshare-user", "--uid", "65534", "--gid", "65534"),
-                *("--hostname", "wall", "--cap-drop", "ALL"),
-                *("--die-with-parent", "--new-session"),
-                *_system(COMPILER_SETTINGS if writable else RUN_SETTINGS),
-                *_masks((*SYSTEM, *prefixes), hidden),
-                # Writing there could take over the wall's first process, or lower priorities.
-                *("--proc", "/proc", "--remount-ro", "/proc"),
-                *_devices(),
-                *_memory("/dev/shm", SHARED_MEMORY_MIB << 20),
-                *_memory(str(SCRATCH), scratch_mib << 20),
-                *("--remount-ro", "/dev", "--chdir", str(SCRATCH)),
-            ),
-            binds=tuple(binds),
-            scratch={"/dev/shm": SHARED_MEMORY_MIB << 20, str(SCRATCH): scratch_mib << 20},
-            seccomp=_seccomp(writable, counted),
-        )
+            args += ["--bind" if writable else "--ro-bind", reached(program), str(PROGRAM)]
+        args += ["--remount-ro", "/dev", "--remount-ro", "/"]
+        # A packaged one loads a library that lies beside its package.
+        packages = [*self.bwrap.parents, Path("/")][2]
+        bwrap = Path(reached(packages), self.bwrap.relative_to(packages))
+        seccomp = filter_program(platform.machine(), compiling=writable, counted=counted).hex()
+        return WallRequest(str(bwrap), tuple(args), tuple(staged), scratch, seccomp)
 
 
 @cache
-def _masks(shown: tuple[str, ...], hidden: tuple[Path, ...]) -> tuple[str, ...]:
+def _system(writable: bool) -> list[str]:
+    """Return the arguments that show the system and its settings, read-only."""
+    args: list[str] = []
+    for path in map(Path, SYSTEM):
+        if path.is_symlink():
+            args += ["--symlink", str(path.readlink()), str(path)]
+        elif path.is_dir():
+            args += ["--ro-bind", str(path), str(path)]
+    for pattern in COMPILER_SETTINGS if writable else RUN_SETTINGS:
+        for path in sorted(Path("/etc").glob(pattern)):
+            args += ["--ro-bind", str(path), str(path)]
+    return args
+
+
+@cache
+def _masks(shown: tuple[str, ...], hidden: tuple[Path, ...]) -> list[str]:
     """Return the arguments that cover each of `hidden` that lies in a directory of `shown`.
 
     What holds a directory that must be shown is left out: nothing would work without it.
@@ -99,47 +126,16 @@ def _masks(shown: tuple[str, ...], hidden: tuple[Path, ...]) -> tuple[str, ...]:
     args: list[str] = []
     covered: list[Path] = []
     for directory in sorted({path.resolve() for path in hidden}):  # what holds others comes first
-        inside = any(directory.is_relative_to(place) for place in places)
         needed = any(place.is_relative_to(directory) for place in places)
+        done = any(directory.is_relative_to(other) for other in covered)
+        around = [place for place in places if directory.is_relative_to(place)]
         # Root's programs run as a user who sees nothing there if this is not open to all.
-        visible = os.getuid() != 0 or open_to_all(f"{directory}/x")
-        if inside and visible and not needed:
-            if not any(directory.is_relative_to(other) for other in covered):
-                args += _empty(str(directory))
+        if os.getuid() == 0:
+            around = [place for place in around if open_to_all(directory / "x", place)]
+        if around and not needed and not done:
+            args += ["--size", "4096", "--tmpfs", str(directory), "--remount-ro", str(directory)]
             covered.append(directory)
-    return tuple(args)
-
-
-def _empty(place: str) -> tuple[str, ...]:
-    """Return the arguments that put an empty directory that nobody can write to at a place."""
-    return (*_memory(place, 4096), "--remount-ro", place)
-
-
-def _memory(place: str, size: int) -> tuple[str, ...]:
-    """Return the arguments that put an empty memory file system of so many bytes at a place."""
-    return ("--size", str(size), "--tmpfs", place)
-
-
-def _devices() -> tuple[str, ...]:
-    """Return the arguments that make /dev, without terminals: reading one would never end."""
-    args = ["--tmpfs", "/dev", "--dir", "/dev/pts", "--symlink", "/proc/self/fd", "/dev/fd"]
-    for number, name in enumerate(("stdin", "stdout", "stderr")):
-        args += ["--symlink", f"/proc/self/fd/{number}", f"/dev/{name}"]
-    for name, source in DEVICES.items():
-        args += ["--dev-bind", f"/dev/{source}", f"/dev/{name}"]
-    return tuple(args)
-
-
-@cache
-def _version(bwrap: Path) -> str:
-    """Return the name and version of a bwrap, `bubblewrap 0.11.0`, or just `bubblewrap`."""
-    try:
-        asked = subprocess.run(
-            [bwrap, "--version"], capture_output=True, env={}, timeout=10, check=True
-        )
-    except (OSError, subprocess.SubprocessError):
-        return "bubblewrap"
-    return printable_lines(asked.stdout, lines=1, width=40)
+    return args
 
 
 def candidates(hidden: tuple[Path, ...] = ()) -> list[Wall]:
@@ -155,20 +151,12 @@ def candidates(hidden: tuple[Path, ...] = ()) -> list[Wall]:
 
 
 @cache
-def _seccomp(compiling: bool, counted: bool) -> str:
-    return filter_program(platform.machine(), compiling=compiling, counted=counted).hex()
-
-
-@cache
-def _system(settings: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the arguments that show the system and these files of /etc, read-only."""
-    args: list[str] = []
-    for path in map(Path, SYSTEM):
-        if path.is_symlink():
-            args += ["--symlink", str(path.readlink()), str(path)]
-        elif path.is_dir():
-            args += ["--ro-bind", str(path), str(path)]
-    for pattern in settings:
-        for path in sorted(Path("/etc").glob(pattern)):
-            args += ["--ro-bind", str(path), str(path)]
-    return tuple(args)
+def _version(bwrap: Path) -> str:
+    """Return the name and version of a bwrap, `bubblewrap 0.11.0`, or just `bubblewrap`."""
+    try:
+        asked = subprocess.run(
+            [bwrap, "--version"], capture_output=True, env={}, timeout=10, check=True
+        )
+    except (OSError, subprocess.SubprocessError):
+        return "bubblewrap"
+    return printable_lines(asked.stdout, lines=1, width=40)

@@ -205,8 +205,7 @@ def test_a_program_that_the_kernel_kills_for_memory_is_over_the_limit(tmp_path: 
     request = Request(
         argv=(sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"),
         **{"cwd": "/", "env": {}, "stdin": None, "stdout": f"{tmp_path}/out"},
-        **{"kill_cpu_s": 9, "kill_elapsed_s": 9, "memory_mib": 64, "output_bytes": 9},
-        **{"processes": 64, "file_mib": 1, "wall": None, "user": None},
+        **{"wall": None, "user": None, "limits": RunLimits(9, memory_mib=64, output_mib=1)},
     )
     reader, writer = os.pipe()  # the keeper's control pipe: silent, but open
     done = subprocess.run(

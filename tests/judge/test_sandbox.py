@@ -205,7 +205,7 @@ def test_the_first_process_of_a_wall_counts_if_it_is_taken_over(
         "judge.sandbox.keeper.memory.proportional_mib", lambda process, _: process.resident_mib
     )
     taken = Memory({"/tmp": 1}).used_mib([sample_of(1, 3), sample_of(2, 900), program], 2000)
-    assert taken == 950
+    assert taken == 3 + 900 + 50
     assert Memory({}).used_mib([program], 99) == 50
 
 

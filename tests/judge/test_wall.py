@@ -27,9 +27,9 @@ from judge.languages.submission import (
 from judge.languages.table import by_name
 from judge.problem.declaration import load
 from judge.problem.verdict import Verdict
-from judge.sandbox.facts import Stop
+from judge.sandbox.facts import RunLimits, Stop
 from judge.sandbox.probe import probe
-from judge.sandbox.sandbox import Sandbox
+from judge.sandbox.sandbox import Command, Sandbox
 from judge.sandbox.seccomp import AUDIT_ARCH, filter_program
 from judge.sandbox.wall import Wall
 
@@ -359,6 +359,24 @@ def test_a_data_directory_in_the_system_is_not_visible(
         assert "No such file" in outcome.cases[0].message
     finally:
         shutil.rmtree(directory)
+
+
+def test_what_lies_in_a_toolchain_can_be_hidden(walled_sandbox: Sandbox, tmp_path: Path) -> None:
+    """Such a directory is shown even where its parents are closed to others."""
+    assert walled_sandbox.wall is not None
+    tools, hidden = tmp_path / "closed" / "tools", tmp_path / "closed" / "tools" / "kit"
+    hidden.mkdir(parents=True)
+    for directory in (tools, hidden):
+        (directory / "file").write_text("seen\n")
+        directory.chmod(0o755)
+    (tmp_path / "closed").chmod(0o700)
+    script = f"cat {tools}/file {hidden}/file"
+    command = Command(("/bin/sh", "-c", script), prefixes=(str(tools),))
+    limits = RunLimits(time_limit_s=5, memory_mib=200, output_mib=1)
+    with Sandbox(Wall(walled_sandbox.wall.bwrap, (hidden,))) as sandbox:
+        facts = sandbox.run(command, limits, stdout=tmp_path / "out")
+    assert (tmp_path / "out").read_text() == "seen\n"
+    assert b"No such file" in facts.stderr
 
 
 def test_proc_is_read_only_and_there_is_no_terminal(run_walled: RunPython, tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Starts a program with its pipes, limits and environment."""
+"""Starts a program with its pipes, limits, environment and wall."""
 
 from __future__ import annotations
 
@@ -11,10 +11,11 @@ from typing import NamedTuple
 
 from judge.sandbox.keeper.proc import LIBC, threads_of
 from judge.sandbox.keeper.protocol import Request
-from judge.sandbox.keeper.wall import STARTED, become_user, walled
+from judge.sandbox.keeper.wall import REPORT, stage, walled
 
 PR_SET_PDEATHSIG = 1
 OPEN_FILES = 256
+FILE_MIB = 256  # the largest file a run may write into its scratch directory
 FIRST_TO_BE_KILLED = "1000"  # where memory runs out, before the keeper
 # By Python, and by the keeper.
 IGNORED = (signal.SIGPIPE, signal.SIGXFSZ, signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -27,15 +28,13 @@ class RunError(Exception):
 class Launched(NamedTuple):
     """A program that was started, and our non-blocking ends of its pipes.
 
-    Behind a wall, it waits for GO on its standard input. wall_stands: a pipe that stays empty if
-    bubblewrap failed to start.
+    Behind a wall, it waits for GO on its standard input.
     """
 
     pid: int
     stdin: int
     stdout: int
     stderr: int
-    wall_stands: int
 
     @property
     def ended(self) -> bool:
@@ -50,35 +49,39 @@ class Launched(NamedTuple):
 
 
 def launch(request: Request) -> Launched:
-    """Start the program. Raises RunError; then no process or open file is left."""
+    """Start the program, and wait until its wall stands.
+
+    Raises RunError; then no open file is left, and no process that goes on.
+    """
     stdin, feed = os.pipe()
     take_out, stdout = os.pipe()
     take_err, stderr = os.pipe()
-    wall_stands, wall_starting = os.pipe()
-    complaint, complain = os.pipe()
+    reports, report = os.pipe()
     pid = os.fork()
     if pid == 0:
         try:
-            become(request, (stdin, stdout, stderr), wall_starting)
+            become(request, (stdin, stdout, stderr), report)
         except BaseException as error:
-            os.write(complain, str(error).encode())
+            os.write(report, f"{request.argv[0]}: {error}".encode())
         finally:
             os._exit(127)
-    for fd in (stdin, stdout, stderr, wall_starting, complain):
+    for fd in (stdin, stdout, stderr, report):
         os.close(fd)
-    launched = Launched(pid, feed, take_out, take_err, wall_stands)
-    problem = os.read(complaint, 4096)  # exec closes the other end, so this returns at once
-    os.close(complaint)
-    if problem:
-        os.waitpid(pid, 0)
-        launched.close()
-        raise RunError(f"{request.argv[0]}: {problem.decode()}")
+    # Without a wall, exec closes the pipe. Behind one, whatever fails later is the program's fault.
+    found = os.read(reports, 4096)
+    os.close(reports)
+    launched = Launched(pid, feed, take_out, take_err)
     for fd in launched[1:]:
         os.set_blocking(fd, False)
-    return launched
+    if found == (b"\n" if request.wall else b""):
+        return launched
+    with contextlib.suppress(BlockingIOError):
+        found = found or b"the wall cannot be built: " + os.read(take_err, 4096)
+    launched.close()
+    raise RunError(found.decode("latin-1").strip())
 
 
-def become(request: Request, standard: tuple[int, int, int], wall_starting: int) -> None:
+def become(request: Request, standard: tuple[int, int, int], report: int) -> None:
     """In the child: become the program. Never returns. Raises OSError."""
     if not request.wall:  # bubblewrap makes a session of its own
         os.setsid()
@@ -86,15 +89,16 @@ def become(request: Request, standard: tuple[int, int, int], wall_starting: int)
         os.dup2(fd, target)
     for number in IGNORED:
         signal.signal(number, signal.SIG_DFL)  # exec would keep that they are ignored
-    processes = 4 * request.processes
+    limits = request.limits
+    processes = 4 * limits.processes
     if request.user is None:  # this limit does not bind root, and counts all that a user runs
         processes += threads_of(os.getuid())
     for what, value in (
         (resource.RLIMIT_CORE, 0),
-        (resource.RLIMIT_CPU, int(request.kill_cpu_s) + 2),  # in case the keeper is stopped
-        (resource.RLIMIT_STACK, request.memory_mib << 20),  # so that deep recursion works
+        (resource.RLIMIT_CPU, int(limits.kill_cpu_s) + 2),  # in case the keeper is stopped
+        (resource.RLIMIT_STACK, limits.memory_mib << 20),  # so that deep recursion works
         (resource.RLIMIT_NOFILE, OPEN_FILES),  # each may hold uncounted kernel memory
-        (resource.RLIMIT_FSIZE, request.file_mib << 20),
+        (resource.RLIMIT_FSIZE, FILE_MIB << 20),
         (resource.RLIMIT_NPROC, processes),
     ):
         hard = resource.getrlimit(what)[1]
@@ -104,10 +108,18 @@ def become(request: Request, standard: tuple[int, int, int], wall_starting: int)
         Path("/proc/self/oom_score_adj").write_text(FIRST_TO_BE_KILLED)
     program, argv = request.argv[0], list(request.argv)
     if request.wall:
-        os.dup2(wall_starting, STARTED)
-        program, argv = walled(request.wall, argv, request.processes, request.user)
-    elif request.user is not None:
+        os.dup2(report, REPORT)
+        program, argv = request.wall.bwrap, walled(request.wall, argv, limits.processes)
+        stage(request.wall.staged)
+    if request.user is not None:
         become_user(request.user)
     os.chdir(request.cwd)
     LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # last: changing the user undoes it
     os.execve(program, argv, request.env)
+
+
+def become_user(user: int) -> None:
+    """Change from root to a user who owns nothing."""
+    os.setgroups([])
+    os.setresgid(user, user, user)
+    os.setresuid(user, user, user)

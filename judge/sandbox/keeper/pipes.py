@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 
 STDERR_BYTES = 8192
@@ -45,20 +44,24 @@ class Sink:
         self.open_fds = [stdout, stderr]
         self.written = 0
         self.stderr = b""
-        self._stderr_fd = stderr
         self._file = file
         self._limit = limit
 
     def take(self, fd: int) -> bool:
-        """Read once without waiting; return whether more may come. Closes `fd` at its end."""
+        """Read once without waiting; return False at the end of the pipe."""
         try:
-            more = self._read(fd)
+            block = os.read(fd, BLOCK_BYTES)
         except BlockingIOError:
             return True
-        if not more:
-            os.close(fd)
-            self.open_fds.remove(fd)
-        return more
+        room = max(0, self._limit - self.written)
+        self.written += len(block)
+        if fd == self.open_fds[1]:
+            self.stderr += block[: STDERR_BYTES - len(self.stderr)]
+            return bool(block)
+        rest = block[:room]
+        while rest:  # one call may write only a part
+            rest = rest[os.write(self._file, rest) :]
+        return bool(block)
 
     def drain(self) -> None:
         """Read what is left in the pipes and close them. All writers must have ended.
@@ -67,20 +70,9 @@ class Sink:
         was sent over a socket and never received.
         """
         for fd in self.open_fds:
-            with contextlib.suppress(BlockingIOError):
-                while self._read(fd):
-                    pass
+            before = -1
+            while before != self.written:
+                before = self.written
+                self.take(fd)
             os.close(fd)
         self.open_fds.clear()
-
-    def _read(self, fd: int) -> bool:
-        """Read once; return False at the end of the pipe. Raises BlockingIOError."""
-        block = os.read(fd, BLOCK_BYTES)
-        self.written += len(block)
-        if fd == self._stderr_fd:
-            self.stderr += block[: STDERR_BYTES - len(self.stderr)]
-        else:
-            rest = block[: max(0, self._limit - self.written + len(block))]
-            while rest:  # one call may write only a part
-                rest = rest[os.write(self._file, rest) :]
-        return bool(block)

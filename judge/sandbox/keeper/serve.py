@@ -15,10 +15,11 @@ import signal
 import sys
 from pathlib import Path
 
+from judge.sandbox.facts import Facts
 from judge.sandbox.keeper.cgroup import Cgroup
 from judge.sandbox.keeper.launch import Launched, RunError, launch
 from judge.sandbox.keeper.proc import LIBC
-from judge.sandbox.keeper.protocol import Facts, Request, decode_request, encode
+from judge.sandbox.keeper.protocol import Request, decode_request, encode
 from judge.sandbox.keeper.tree import Tree
 from judge.sandbox.keeper.watch import JudgeGoneError, run
 

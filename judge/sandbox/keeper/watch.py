@@ -7,10 +7,11 @@ import select
 import time
 from pathlib import Path
 
+from judge.sandbox.facts import UNLISTED_PROCESSES, Facts, RunLimits, Stop
 from judge.sandbox.keeper.cgroup import SLACK_MIB, Cgroup
 from judge.sandbox.keeper.launch import Launched, RunError, launch
 from judge.sandbox.keeper.pipes import Feeder, Sink
-from judge.sandbox.keeper.protocol import UNLISTED_PROCESSES, Facts, Request, Stop
+from judge.sandbox.keeper.protocol import Request
 from judge.sandbox.keeper.tree import Tree
 from judge.sandbox.keeper.wall import GO
 
@@ -32,30 +33,27 @@ def run(request: Request, ahead: Launched | None, cgroup: Cgroup) -> Facts:
     ahead: the program, if it was launched already and waits. Raises RunError, JudgeGoneError.
     After the first, or if not `all_ended`, processes may be left that are still dying.
     """
+    limits = request.limits
     tree = Tree(request.wall.scratch if request.wall else {}, cgroup)
-    cgroup.begin(request.memory_mib, request.processes + WALL_PROCESSES)
+    cgroup.begin(limits.memory_mib, limits.processes + WALL_PROCESSES)
     source_path, out_path = Path(request.stdin or os.devnull), Path(request.stdout)
     with source_path.open("rb") as source, out_path.open("wb") as out:
-        started = time.monotonic()
         launched = ahead or launch(request)
+        started = time.monotonic()
         feeder = Feeder(source.fileno(), launched.stdin, GO if request.wall else b"")
-        sink = Sink(launched.stdout, launched.stderr, out.fileno(), request.output_bytes)
+        sink = Sink(launched.stdout, launched.stderr, out.fileno(), limits.output_bytes)
         try:
-            stopped = watch(launched.pid, feeder, sink, tree, started, request, cgroup)
+            stopped = watch(launched.pid, feeder, sink, tree, started, limits, cgroup)
         finally:
             if cgroup.processes() is not None:  # what its children hold at the end counts
-                tree.sample(request.memory_mib)
+                tree.sample(limits.memory_mib)
             all_ended = tree.end()
             feeder.close()
         if stopped in (None, Stop.MEMORY) and cgroup.out_of_memory:
             stopped = Stop.MEMORY
-            tree.memory_mib = max(tree.memory_mib, request.memory_mib + SLACK_MIB)
+            tree.memory_mib = max(tree.memory_mib, limits.memory_mib + SLACK_MIB)
         elapsed_s = time.monotonic() - started
         sink.drain()
-    wall_stands = os.read(launched.wall_stands, 1) if request.wall else b"none was asked for"
-    os.close(launched.wall_stands)
-    if not wall_stands:
-        raise RunError(f"the wall cannot be built: {sink.stderr.decode('latin-1').strip()}")
     if launched.pid not in tree.status:
         raise RunError("the program cannot be killed")
     status = tree.status[launched.pid]
@@ -81,7 +79,7 @@ def watch(
     sink: Sink,
     tree: Tree,
     started: float,
-    request: Request,
+    limits: RunLimits,
     cgroup: Cgroup,
 ) -> Stop | None:
     """Serve the pipes until the program ends (return None) or passes a limit (return which)."""
@@ -92,7 +90,7 @@ def watch(
     for fd in sink.open_fds:
         poll.register(fd, select.POLLIN)
     poll.register(feeder.fd, select.POLLOUT)
-    most_processes = request.processes
+    most_processes = limits.processes
     if cgroup.processes() is None:
         most_processes = min(most_processes, UNLISTED_PROCESSES)
     next_sample = started + FIRST_SAMPLE_S
@@ -107,22 +105,22 @@ def watch(
                 more = feeder.feed() if fd == feeder.fd else sink.take(fd)
                 if not more:
                     poll.unregister(fd)
-            if sink.written > request.output_bytes:
+            if sink.written > limits.output_bytes:
                 return Stop.OUTPUT
             now = time.monotonic()
             if now < next_sample:
                 continue
             growing_s = max(FIRST_SAMPLE_S, SAMPLE_GROWTH * (now - started))
-            tree.sample(request.memory_mib)
+            tree.sample(limits.memory_mib)
             slow_s = (time.monotonic() - now) / SAMPLES_SHARE
             next_sample = now + max(slow_s, min(growing_s, SAMPLE_S))
-            if tree.memory_mib > request.memory_mib or cgroup.out_of_memory:
+            if tree.memory_mib > limits.memory_mib or cgroup.out_of_memory:
                 return Stop.MEMORY
             if tree.processes > most_processes:
                 return Stop.PROCESSES
-            if tree.cpu_s > request.kill_cpu_s:
+            if tree.cpu_s > limits.kill_cpu_s:
                 return Stop.CPU
-            waited_s = now - started - request.kill_elapsed_s
+            waited_s = now - started - limits.kill_elapsed_s
             if waited_s > 0 and waited_s > min(tree.starved_s(), STARVED_AT_MOST_S):
                 return Stop.ELAPSED
     finally:
