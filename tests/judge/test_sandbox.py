@@ -19,7 +19,7 @@ from judge.sandbox.facts import RunLimits, Stop
 from judge.sandbox.keeper import BOOT
 from judge.sandbox.keeper.cgroup import Cgroup
 from judge.sandbox.keeper.memory import Memory, proportional_mib
-from judge.sandbox.keeper.pipes import Sink
+from judge.sandbox.keeper.pipes import Pipes
 from judge.sandbox.keeper.proc import STATE, Process, fields, look_at
 from judge.sandbox.keeper.tree import Tree
 from judge.sandbox.sandbox import Command, Sandbox, SandboxError
@@ -211,19 +211,21 @@ def test_the_first_process_of_a_wall_counts_if_it_is_taken_over(
 
 def test_output_is_not_waited_for_when_all_processes_are_gone(tmp_path: Path) -> None:
     """A descriptor that was sent over a socket and never received keeps the pipe open."""
+    unread, feed = os.pipe()
     out, held = os.pipe()
     err, closed = os.pipe()
     os.write(held, b"answer")
     os.close(closed)
-    for fd in (out, err):
+    for fd in (feed, out, err):
         os.set_blocking(fd, False)
     with (tmp_path / "out").open("wb") as file:
-        sink = Sink(out, err, file.fileno(), 1 << 20)
-        sink.drain()
-    os.close(held)
+        pipes = Pipes(feed, out, err, b"", unread, file.fileno(), 1 << 20)
+        pipes.drain()
+    for fd in (held, unread):
+        os.close(fd)
     assert (tmp_path / "out").read_bytes() == b"answer"
-    assert (sink.open_fds, sink.written) == ([], 6)
-    for fd in (out, err):
+    assert (pipes.open_fds, pipes.written) == ([], 6)
+    for fd in (feed, out, err):
         with pytest.raises(OSError, match="Bad file"):
             os.fstat(fd)
 

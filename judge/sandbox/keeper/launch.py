@@ -32,9 +32,7 @@ class Launched(NamedTuple):
     """
 
     pid: int
-    stdin: int
-    stdout: int
-    stderr: int
+    pipes: tuple[int, int, int]  # standard input, output and error
 
     @property
     def ended(self) -> bool:
@@ -44,7 +42,7 @@ class Launched(NamedTuple):
 
     def close(self) -> None:
         """Close the pipes."""
-        for fd in self[1:]:
+        for fd in self.pipes:
             os.close(fd)
 
 
@@ -70,8 +68,8 @@ def launch(request: Request) -> Launched:
     # Without a wall, exec closes the pipe. Behind one, whatever fails later is the program's fault.
     found = os.read(reports, 4096)
     os.close(reports)
-    launched = Launched(pid, feed, take_out, take_err)
-    for fd in launched[1:]:
+    launched = Launched(pid, (feed, take_out, take_err))
+    for fd in launched.pipes:
         os.set_blocking(fd, False)
     if found == (b"\n" if request.wall else b""):
         return launched

@@ -2,66 +2,44 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 
 STDERR_BYTES = 8192
 BLOCK_BYTES = 1 << 16
 
 
-class Feeder:
-    """Feeds `head`, then a file, to a pipe. A program could overwrite a file that it was given."""
+class Pipes:
+    """Feeds a file to a program's standard input, and takes its output and errors.
 
-    def __init__(self, source: int, pipe: int, head: bytes = b"") -> None:
-        self.fd = pipe
-        self._source = source
-        self._block = memoryview(head)
-        self._open = True
+    stdin, stdout, stderr: our ends, non-blocking. head: what is fed before the file `source`,
+    which the program could overwrite if it was given the file itself. sink: the file that
+    receives at most `limit` bytes of the output. Of the errors, the first are kept.
+    """
 
-    def feed(self) -> bool:
-        """Write what fits; return whether there is more. At the end, close the pipe."""
-        try:
-            while block := self._block or memoryview(os.read(self._source, BLOCK_BYTES)):
-                self._block = block
-                self._block = block[os.write(self.fd, block) :]
-        except BlockingIOError:
-            return True
-        except BrokenPipeError:  # the program has closed its input early
-            pass
-        self.close()
-        return False
-
-    def close(self) -> None:
-        """Close the pipe; may be called more than once."""
-        if self._open:
-            os.close(self.fd)
-            self._open = False
-
-
-class Sink:
-    """Writes at most `limit` bytes of standard output to a file; keeps the head of stderr."""
-
-    def __init__(self, stdout: int, stderr: int, file: int, limit: int) -> None:
-        self.open_fds = [stdout, stderr]
+    def __init__(
+        self, stdin: int, stdout: int, stderr: int, head: bytes, source: int, sink: int, limit: int
+    ) -> None:
+        self.open_fds = [stdin, stdout, stderr]
         self.written = 0
         self.stderr = b""
-        self._file = file
-        self._limit = limit
+        self._stdin, self._stderr = stdin, stderr
+        self._unsent = memoryview(head)
+        self._source, self._sink, self._limit = source, sink, limit
 
-    def take(self, fd: int) -> bool:
-        """Read once without waiting; return False at the end of the pipe."""
+    def serve(self, fd: int) -> bool:
+        """Feed what fits, or read once; at the end of a pipe, close it and return False."""
+        more = True
         try:
-            block = os.read(fd, BLOCK_BYTES)
+            more = self._feed() if fd == self._stdin else self._take(fd)
+        except BrokenPipeError:  # the program has closed its input early
+            more = False
         except BlockingIOError:
-            return True
-        room = max(0, self._limit - self.written)
-        self.written += len(block)
-        if fd == self.open_fds[1]:
-            self.stderr += block[: STDERR_BYTES - len(self.stderr)]
-            return bool(block)
-        rest = block[:room]
-        while rest:  # one call may write only a part
-            rest = rest[os.write(self._file, rest) :]
-        return bool(block)
+            pass
+        if not more:
+            os.close(fd)
+            self.open_fds.remove(fd)
+        return more
 
     def drain(self) -> None:
         """Read what is left in the pipes and close them. All writers must have ended.
@@ -70,9 +48,28 @@ class Sink:
         was sent over a socket and never received.
         """
         for fd in self.open_fds:
-            before = -1
-            while before != self.written:
-                before = self.written
-                self.take(fd)
+            with contextlib.suppress(BlockingIOError):
+                while fd != self._stdin and self._take(fd):
+                    pass
             os.close(fd)
         self.open_fds.clear()
+
+    def _feed(self) -> bool:
+        """Write until the end of the file. Raises BlockingIOError, BrokenPipeError."""
+        while block := self._unsent or memoryview(os.read(self._source, BLOCK_BYTES)):
+            self._unsent = block
+            self._unsent = block[os.write(self._stdin, block) :]
+        return False
+
+    def _take(self, fd: int) -> bool:
+        """Read once; return False at the end of the pipe. Raises BlockingIOError."""
+        block = os.read(fd, BLOCK_BYTES)
+        room = max(0, self._limit - self.written)
+        self.written += len(block)
+        if fd == self._stderr:
+            self.stderr += block[: STDERR_BYTES - len(self.stderr)]
+        else:
+            rest = block[:room]
+            while rest:  # one call may write only a part
+                rest = rest[os.write(self._sink, rest) :]
+        return bool(block)

@@ -10,7 +10,7 @@ from pathlib import Path
 from judge.sandbox.facts import UNLISTED_PROCESSES, Facts, RunLimits, Stop
 from judge.sandbox.keeper.cgroup import SLACK_MIB, Cgroup
 from judge.sandbox.keeper.launch import Launched, RunError, launch
-from judge.sandbox.keeper.pipes import Feeder, Sink
+from judge.sandbox.keeper.pipes import Pipes
 from judge.sandbox.keeper.protocol import Request
 from judge.sandbox.keeper.tree import Tree
 from judge.sandbox.keeper.wall import GO
@@ -40,20 +40,19 @@ def run(request: Request, ahead: Launched | None, cgroup: Cgroup) -> Facts:
     with source_path.open("rb") as source, out_path.open("wb") as out:
         launched = ahead or launch(request)
         started = time.monotonic()
-        feeder = Feeder(source.fileno(), launched.stdin, GO if request.wall else b"")
-        sink = Sink(launched.stdout, launched.stderr, out.fileno(), limits.output_bytes)
+        head = GO if request.wall else b""
+        pipes = Pipes(*launched.pipes, head, source.fileno(), out.fileno(), limits.output_bytes)
         try:
-            stopped = watch(launched.pid, feeder, sink, tree, started, limits, cgroup)
+            stopped = watch(launched.pid, pipes, tree, started, limits, cgroup)
         finally:
             if cgroup.processes() is not None:  # what its children hold at the end counts
                 tree.sample(limits.memory_mib)
             all_ended = tree.end()
-            feeder.close()
         if stopped in (None, Stop.MEMORY) and cgroup.out_of_memory:
             stopped = Stop.MEMORY
             tree.memory_mib = max(tree.memory_mib, limits.memory_mib + SLACK_MIB)
         elapsed_s = time.monotonic() - started
-        sink.drain()
+        pipes.drain()
     if launched.pid not in tree.status:
         raise RunError("the program cannot be killed")
     status = tree.status[launched.pid]
@@ -66,30 +65,21 @@ def run(request: Request, ahead: Launched | None, cgroup: Cgroup) -> Facts:
         cpu_s=tree.cpu_s,
         elapsed_s=elapsed_s,
         memory_mib=tree.peak_mib(),
-        output_bytes=sink.written,
+        output_bytes=pipes.written,
         stopped=stopped,
-        stderr=sink.stderr,
+        stderr=pipes.stderr,
         all_ended=all_ended,
     )
 
 
 def watch(
-    pid: int,
-    feeder: Feeder,
-    sink: Sink,
-    tree: Tree,
-    started: float,
-    limits: RunLimits,
-    cgroup: Cgroup,
+    pid: int, pipes: Pipes, tree: Tree, started: float, limits: RunLimits, cgroup: Cgroup
 ) -> Stop | None:
     """Serve the pipes until the program ends (return None) or passes a limit (return which)."""
     pidfd = os.pidfd_open(pid)
     poll = select.poll()
-    poll.register(pidfd, select.POLLIN)
-    poll.register(CONTROL, select.POLLIN)
-    for fd in sink.open_fds:
-        poll.register(fd, select.POLLIN)
-    poll.register(feeder.fd, select.POLLOUT)
+    for fd in (pidfd, CONTROL, *pipes.open_fds):
+        poll.register(fd, select.POLLIN | select.POLLOUT)
     most_processes = limits.processes
     if cgroup.processes() is None:
         most_processes = min(most_processes, UNLISTED_PROCESSES)
@@ -102,10 +92,9 @@ def watch(
                     raise JudgeGoneError
                 if fd == pidfd:
                     return None
-                more = feeder.feed() if fd == feeder.fd else sink.take(fd)
-                if not more:
+                if not pipes.serve(fd):
                     poll.unregister(fd)
-            if sink.written > limits.output_bytes:
+            if pipes.written > limits.output_bytes:
                 return Stop.OUTPUT
             now = time.monotonic()
             if now < next_sample:
