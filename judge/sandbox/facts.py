@@ -60,13 +60,11 @@ class Stop(StrEnum):
 
 
 class Facts(NamedTuple):
-    """The facts about one run.
+    """The facts about one run, of all its processes.
 
-    exit_status, signal: of the program itself; exactly one of them is None.
-    cpu_s: user and system seconds of all its processes; elapsed_s: from launch to end;
-    memory_mib: the largest memory seen of all; output_bytes: what it wrote to standard output
-    and standard error; stopped: the limit for which it was stopped, None if it ended by itself;
-    stderr: the first few KiB; all_ended: no process of it is left, as some die slowly.
+    exit_status, signal: of the program itself; exactly one of them is None. output_bytes:
+    standard error included. stopped: None if it ended by itself. stderr: the first few KiB.
+    all_ended: whether no process is left, as some die slowly.
     """
 
     exit_status: int | None

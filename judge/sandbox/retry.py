@@ -1,9 +1,7 @@
 """When a run is repeated: once, and only for what the machine did, with evidence.
 
 How a program ended is no evidence: one that fails at random could buy itself another try. So
-a run over the time limit is not repeated, and one that was killed is repeated only if the
-kernel ran out of memory meanwhile. (`judge.pool` repeats the task of a worker that broke, and a
-run over the declared limit if this machine turns out to be slower than the one that set it.)
+a run that was killed is repeated only if the kernel ran out of memory meanwhile.
 """
 
 from __future__ import annotations
@@ -23,9 +21,6 @@ def killed_by_another(facts: Facts) -> bool:
 
 
 def out_of_memory_kills(vmstat: Path = VMSTAT) -> int:
-    """Return how many processes the kernel has killed since its start for want of memory.
-
-    0 where it does not tell. Source: Linux, Documentation/admin-guide/mm; `oom_kill`.
-    """
+    """Return how many processes the kernel has killed for want of memory, 0 if it is unknown."""
     lines = vmstat.read_text().splitlines() if vmstat.exists() else []
     return next((int(line.split()[1]) for line in lines if line.startswith("oom_kill ")), 0)

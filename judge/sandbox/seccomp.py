@@ -61,7 +61,7 @@ CLONE3 = (435, 435)  # its arguments are in memory
 SIGACTION, FCNTL, FLOCK, PRCTL = (13, 134), (72, 25), (73, 32), (157, 167)
 NAMESPACES = 0x7E020000  # CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET
 MAP_SHARED, MAP_ANONYMOUS = 0x01, 0x20
-TIOCSTI, TIOCLINUX = 0x5412, 0x541C
+TYPING = (0x5412, 0x541C)  # of ioctl: TIOCSTI, TIOCLINUX
 SIGCHLD = 17
 # Of prctl: PR_SET_DUMPABLE hides memory; PR_FUTEX_HASH takes memory that no process shows.
 PRCTL_REFUSED = (4, 78)
@@ -99,12 +99,11 @@ def filter_program(machine: str, *, compiling: bool = False, counted: bool = Fal
     for call in REFUSED.values():
         on(call, _fail(errno.EPERM))
     on(CLONE3, _fail(errno.ENOSYS))
-    on(CLONE, _load(0), (JUMP_SET, 0, 1, NAMESPACES), _fail(errno.EPERM), ALLOW)
+    on(CLONE, *_unless(0, NAMESPACES, test=JUMP_SET))
     # Shared anonymous memory stays allocated when no process maps it any more.
     shared = (JUMP_SET, 0, 2, MAP_SHARED), (JUMP_SET, 0, 1, MAP_ANONYMOUS)
     on(MMAP, _load(3), *shared, _fail(errno.EPERM), ALLOW)
-    typing = (JUMP_EQ, 1, 0, TIOCSTI), (JUMP_EQ, 0, 1, TIOCLINUX)
-    on(IOCTL, _load(1), *typing, _fail(errno.EPERM), ALLOW)
+    on(IOCTL, *_unless(1, *TYPING))
     on(PRCTL, *_unless(0, *PRCTL_REFUSED))
     if not counted:
         # The second argument is the address of the new action; 0 only asks for the old one.
@@ -126,8 +125,8 @@ def _fail(error: int) -> Instruction:
     return RETURN, 0, 0, 0x00050000 | error
 
 
-def _unless(argument: int, *values: int) -> tuple[Instruction, ...]:
+def _unless(argument: int, *values: int, test: int = JUMP_EQ) -> tuple[Instruction, ...]:
     """Refuse these values of an argument, and allow all others."""
-    tests = [(JUMP_EQ, len(values) - 1 - i, 0, value) for i, value in enumerate(values[:-1])]
-    last = (JUMP_EQ, 0, 1, values[-1])
-    return _load(argument), *tests, last, _fail(errno.EPERM), ALLOW
+    *most, last = values
+    tests = [(test, len(most) - number, 0, value) for number, value in enumerate(most)]
+    return _load(argument), *tests, (test, 0, 1, last), _fail(errno.EPERM), ALLOW

@@ -1,9 +1,8 @@
 """The control groups of a keeper and of what it runs, where this user may make some.
 
-The keeper moves into them once, so every program is born there, and no process can leave. So the
-kernel counts the CPU time of all of them, lists them, and, where the controllers are
-enabled, limits their memory, its own included, and their number. Version 2 has one directory for
-all controllers, version 1 one for each, with other files: each of both is used where it exists.
+The keeper moves into them once, so every program is born there, and no process can leave. The
+kernel counts their CPU time, lists them, and limits their memory, its own included, and number.
+Version 2 has one directory for all controllers, version 1 one for each, with other files.
 Source: Linux, Documentation/admin-guide/cgroup-v2.rst, cgroup-v1/memory.rst, pids.rst
 """
 

@@ -1,9 +1,9 @@
 """The keeper's side of the protocol.
 
-One request per line on standard input, one reply per line on standard output, as `protocol`
-encodes them. When standard input ends, even during a run, the judge is gone: the keeper kills
-all processes and removes the scratch directory. After a run that could not be made, or that has
-not ended, it exits: processes left would count as the next program's.
+Requests come on standard input, replies go to standard output. When standard input ends, even
+during a run, the judge is gone: the keeper kills all processes and removes the scratch directory.
+After a run that could not be made, or that has not ended, it only exits: processes left would
+count as the next program's.
 """
 
 from __future__ import annotations

@@ -20,13 +20,10 @@ ORDERLY_END_S = 0.003  # after this time, every process is killed individually
 class Tree:
     """All processes below the keeper, which are those of the one program it runs.
 
-    cpu_s: the largest of three counts. The kernel's accounting (of reaped processes, and of live
-    ones with their reaped children) misses children that were reaped automatically. The sum over
-    all processes at their last sample misses what was used after that sample. A control group
-    misses nothing, where it counts; then no process is sampled.
+    cpu_s: the largest of three counts. The kernel's accounting misses children that were reaped
+    automatically. The sum over all processes at their last sample misses what was used after it.
+    A control group misses nothing, where it counts; then no process is sampled.
     memory_mib: the largest sample; largest_mib: of one reaped process, exact to the page.
-
-    scratch: see `memory.Memory`.
     """
 
     def __init__(self, scratch: Mapping[str, int], cgroup: Cgroup) -> None:
