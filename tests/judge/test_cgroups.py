@@ -180,6 +180,29 @@ def test_what_a_keeper_reads_and_writes(tmp_path: Path, monkeypatch, version: in
     assert cgroup.out_of_memory
 
 
+@pytest.mark.parametrize("judge_lives", [True, False])
+def test_after_a_killed_judge_keepers_remove_what_it_made(
+    tmp_path: Path, monkeypatch, judge_lives: bool
+) -> None:
+    """Version 2: who enters its own control group again must first disable the controllers."""
+    leaf, own = tmp_path / LEAF, tmp_path / f"g-{os.getpid()}"
+    leaf.mkdir()
+    own.mkdir()
+    for directory in (leaf, own, tmp_path):
+        (directory / "cgroup.procs").write_text("")
+    control = tmp_path / "cgroup.subtree_control"
+    control.write_text("memory pids  ")
+    if judge_lives:
+        (leaf / "cgroup.procs").write_text("1\n")
+    cgroup = Cgroup({"memory": f"{tmp_path}/g"})
+    removed: list[str] = []
+    monkeypatch.setattr(Path, "rmdir", lambda path: removed.append(path.name))
+    cgroup.close()
+    assert control.read_text() == ("memory pids  " if judge_lives else "-memory -pids")
+    assert (tmp_path / "cgroup.procs").read_text() == str(os.getpid())
+    assert removed == [own.name, LEAF]  # the kernel refuses to remove one that is in use
+
+
 def test_without_control_groups_nothing_is_counted(tmp_path: Path) -> None:
     # No kernel made the directory of the second one, so it has no cgroup.procs.
     for cgroup in (Cgroup({}), Cgroup({"memory": f"{tmp_path}/g"})):
@@ -334,3 +357,13 @@ def test_the_number_of_processes_is_limited(real: Cgroups, run_bare, tmp_path) -
     )
     run_bare(code, processes=32)
     assert int((tmp_path / "out").read_text() or 0) <= 32 + 4
+
+
+def test_the_report_says_what_holds(walled_sandbox: Sandbox, uncounted_sandbox: Sandbox) -> None:
+    counted = Cgroups().hold_memory
+    said = str(walled_sandbox.protection)
+    assert said.endswith("with seccomp and control groups") is counted
+    uncounted = str(uncounted_sandbox.protection)
+    figure = "without control groups (up to 500 MiB of kernel memory are not counted)"
+    assert uncounted.endswith(figure)
+    assert "500 MiB" in (ROOT / "docs" / "security.md").read_text()

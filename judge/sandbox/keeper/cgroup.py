@@ -83,15 +83,20 @@ class Cgroup:
         return None
 
     def close(self) -> None:
-        """Leave and remove the control groups."""
+        """Leave and remove the control groups; if the judge was killed, what it made, too."""
         for directory in dict.fromkeys(self._of.values()):
+            parent, leaf = directory.parent, directory.parent / LEAF
+            if leaf.is_dir() and not read(leaf / "cgroup.procs"):
+                with contextlib.suppress(OSError):
+                    write(parent / "cgroup.subtree_control", "-memory -pids")
             # With version 2, no process may be in the parent while it has controllers enabled.
-            for target in (directory.parent, directory.parent / LEAF):
+            for target in (parent, leaf):
                 with contextlib.suppress(OSError):
                     write(target / "cgroup.procs", os.getpid())
                     break
-            with contextlib.suppress(OSError):
-                directory.rmdir()
+            for empty in (directory, leaf):
+                with contextlib.suppress(OSError):
+                    empty.rmdir()
 
     def _held_mib(self) -> float | None:
         """Return the memory that is not a cache of files: such caches go when memory is short."""
@@ -120,8 +125,8 @@ class Cgroup:
         return next(filter(None, texts), "")
 
 
-def write(path: Path, value: int) -> None:
-    """Write a number to a file of a control group. Raises OSError."""
+def write(path: Path, value: int | str) -> None:
+    """Write to a file of a control group. Raises OSError."""
     with path.open("r+b", buffering=0) as file:
         file.write(str(value).encode())
 
