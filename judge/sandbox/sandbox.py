@@ -9,19 +9,21 @@ import threading
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from signal import SIGKILL
 from typing import Self
 
 from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import Facts, RunLimits
+from judge.sandbox.keeper.launch import open_to_all
 from judge.sandbox.keeper.protocol import Request
 from judge.sandbox.keeper.remove import remove
-from judge.sandbox.keeper.wall import open_to_all
 from judge.sandbox.keepers import Keeper, LostKeeperError, SandboxError
-from judge.sandbox.retry import killed_by_another, out_of_memory_kills
 from judge.sandbox.wall import PROGRAM, SCRATCH, Wall
 
 __all__ = ["Command", "Sandbox", "SandboxError"]
 
+KILLED = 128 + SIGKILL  # how a wall, or a shell, passes SIGKILL on
+VMSTAT = Path("/proc/vmstat")
 LEAST_SCRATCH_KIB = 1024  # if less is left, a failed compilation may lack space
 UNCOUNTED_MIB = 500  # measured with mappings, pipes and epoll watches; see docs/security.md
 ENDED = "the judging was ended"
@@ -93,8 +95,11 @@ class Sandbox:
         stdin: file fed through a pipe, None for an empty one. stdout: file that
         receives at most `limits.output_bytes`. It runs in an empty directory that is
         gone afterwards; compiling: it may write to `command.directory`.
-        If the kernel killed it, or its keeper, for want of memory on this machine, it is repeated
-        once (see `judge.sandbox.retry`). Raises SandboxError.
+        Raises SandboxError.
+
+        It is repeated once, and only if it or its keeper was killed while the kernel ran out of
+        memory. How a program ended is no evidence: one that fails at random could buy itself
+        another try.
         """
         kills = out_of_memory_kills()
         try:
@@ -224,3 +229,14 @@ class Sandbox:
         keeper = Keeper(self.scratch, self._cgroups)
         self._all = [each for each in self._all if each.alive()] + [keeper]
         return keeper
+
+
+def killed_by_another(facts: Facts) -> bool:
+    """Tell whether a SIGKILL that the keeper did not send ended the run."""
+    return facts.stopped is None and (facts.signal == SIGKILL or facts.exit_status == KILLED)
+
+
+def out_of_memory_kills(vmstat: Path = VMSTAT) -> int:
+    """Return how many processes the kernel has killed for want of memory, 0 if it is unknown."""
+    lines = vmstat.read_text().splitlines() if vmstat.exists() else []
+    return next((int(line.split()[1]) for line in lines if line.startswith("oom_kill ")), 0)

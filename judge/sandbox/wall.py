@@ -3,7 +3,7 @@
 Bubblewrap gives every run its own user, pid, network, ipc, uts, cgroup and mount namespaces.
 The program has a read-only system, its own directory, and limited scratch space in memory that
 ends with the run. It has no home, no data, no answers, no network and no capability.
-`judge.sandbox.keeper.wall` builds it; `judge.sandbox.seccomp` makes the system-call filter.
+`judge.sandbox.keeper.launch` builds it; `judge.sandbox.seccomp` makes the system-call filter.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from pathlib import Path
 
 from judge.kit.paths import ROOT
 from judge.kit.text import printable_lines
+from judge.sandbox.keeper.launch import STAGE, open_to_all
 from judge.sandbox.keeper.protocol import WallRequest
-from judge.sandbox.keeper.wall import STAGE, open_to_all
 from judge.sandbox.seccomp import filter_program
 
 PROGRAM = Path("/program")  # where a program sees its directory

@@ -114,6 +114,7 @@ def python_runner(sandbox: Sandbox, out: Path) -> RunPython:
             memory_mib=int(limits.get("memory_mib", 200)),
             output_mib=int(limits.get("output_mib", 1)),
             processes=int(limits.get("processes", 32)),
+            elapsed_s=limits.get("elapsed_s"),
         )
         return sandbox.run(Command(argv, prefixes=prefixes), allowed, stdin=stdin, stdout=out)
 

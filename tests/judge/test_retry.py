@@ -8,8 +8,7 @@ import pytest
 
 from judge.sandbox.facts import Facts, RunLimits, Stop
 from judge.sandbox.keepers import LostKeeperError, SandboxError
-from judge.sandbox.retry import out_of_memory_kills
-from judge.sandbox.sandbox import Command, Sandbox
+from judge.sandbox.sandbox import Command, Sandbox, out_of_memory_kills
 
 FINE = Facts(0, None, 0.1, 0.1, 9.0, 0, None)
 KILLED = FINE._replace(exit_status=None, signal=9)

@@ -23,7 +23,7 @@ class Cgroup:
     """The control groups of this process: none of `places` that the kernel refuses.
 
     places: where to make one, by controller (memory, pids, cpu); with v2 all are the same.
-    Where there is none for a controller, its figures are None and its limits do nothing.
+    Where there is none for a controller, its figures are 0 and its limits do nothing.
     """
 
     def __init__(self, places: dict[str, str]) -> None:
@@ -39,13 +39,14 @@ class Cgroup:
             else:
                 self._of[controller] = directory
         self.counts_cpu = "cpu" in self._of
-        self._own_mib = self._began_mib = self._held_mib() or 0.0
+        self.holds_memory = "memory" in self._of
+        self._own_mib = self._began_mib = self._held_mib()
         self._cpu_began_s = self._kills_began = 0.0
 
     def begin(self, memory_mib: int, processes: int) -> None:
         """Set the limits of the next program, and count from now on."""
         # What an earlier program has left does not raise the limit for long.
-        self._own_mib = min(self._held_mib() or 0.0, self._began_mib + SLACK_MIB)
+        self._own_mib = min(self._held_mib(), self._began_mib + SLACK_MIB)
         most = int((memory_mib + SLACK_MIB + self._own_mib) * 2**20)
         for controller, name, value in (
             ("pids", "pids.max", processes + 1),  # and the keeper
@@ -65,22 +66,18 @@ class Cgroup:
         """Return the CPU seconds used since `begin`, the keeper's own included, if they count."""
         return self._cpu_s() - self._cpu_began_s
 
-    def memory_mib(self) -> float | None:
+    def memory_mib(self) -> float:
         """Return the memory in use now besides the keeper's own: without caches of files."""
-        held = self._held_mib()
-        return None if held is None else max(0.0, held - self._own_mib)
+        return max(0.0, self._held_mib() - self._own_mib)
 
     @property
     def out_of_memory(self) -> bool:
         """Whether the kernel killed a process because the memory was used up."""
         return self._kills() > self._kills_began
 
-    def processes(self) -> list[int] | None:
-        """Return the pids of all processes but the keeper, None if nothing lists them."""
-        for directory in self._of.values():
-            pids = [int(pid) for pid in read(directory / "cgroup.procs").split()]
-            return [pid for pid in pids if pid != os.getpid()]
-        return None
+    def processes(self) -> int:
+        """Return the number of processes besides the keeper."""
+        return len(self._read("memory", "cgroup.procs").split()) - 1
 
     def close(self) -> None:
         """Leave and remove the control groups; if the judge was killed, what it made, too."""
@@ -98,11 +95,9 @@ class Cgroup:
                 with contextlib.suppress(OSError):
                     empty.rmdir()
 
-    def _held_mib(self) -> float | None:
+    def _held_mib(self) -> float:
         """Return the memory that is not a cache of files: such caches go when memory is short."""
-        used = self._read("memory", "memory.current", "memory.usage_in_bytes")
-        if not used:
-            return None
+        used = self._read("memory", "memory.current", "memory.usage_in_bytes") or "0"
         stat = _numbers(self._read("memory", "memory.stat"))
         cache = stat.get("total_cache", stat.get("file", 0))
         shared = stat.get("total_shmem", stat.get("shmem", 0))

@@ -40,30 +40,24 @@ class Tree:
 
     def sample(self, memory_limit_mib: float) -> None:
         """Sample what lives now: the control group if it tells everything, else each process."""
-        pids = self.pids()
-        self.processes = len(pids)
-        memory_mib = self._cgroup.memory_mib()
-        if memory_mib is None or not self._cgroup.counts_cpu:
-            live = [process for process in map(look_at, pids) if process is not None]
+        if self._cgroup.holds_memory and self._cgroup.counts_cpu:
+            self.processes = self._cgroup.processes()
+            memory_mib = self._cgroup.memory_mib()
+        else:
+            live = [process for process in map(look_at, descendants()) if process is not None]
+            self.processes = len(live)
+            memory_mib = self._memory.used_mib(live, memory_limit_mib)
             accounted_s = self._reaped_s + sum(each.own_s + each.waited_s for each in live)
             self._seen_s.update({process.identity: process.own_s for process in live})
             self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()))
-            if memory_mib is None:
-                memory_mib = self._memory.used_mib(live, memory_limit_mib)
-        self.memory_mib = max(self.memory_mib, memory_mib)
+        self.memory_mib = max(self.memory_mib, memory_mib, self._cgroup.memory_mib())
         self.cpu_s = max(self.cpu_s, self._counted_s())
-
-    def pids(self) -> list[int]:
-        """Return all processes, parents first where no control group lists them."""
-        listed = self._cgroup.processes()
-        return descendants() if listed is None else listed
 
     def starved_s(self) -> float:
         """Return how long a live process was ready to run while others had the processors.
 
         The keeper's own time is left out: the program caused that work.
         """
-        # A control group does not list a process that is just ending, and may have waited for that.
         stats = [read(f"/proc/{pid}/schedstat").split() for pid in descendants()]
         ready_s = max((int(stat[1]) / 1e9 for stat in stats if stat), default=0.0)
         return ready_s - self._own_s()
@@ -74,8 +68,8 @@ class Tree:
         while self._reap() and (waited_s := time.monotonic() - began) < REAP_TIMEOUT_S:
             if waited_s > ORDERLY_END_S:
                 # Stop them first: a stopped process cannot fork while the others are signalled.
-                signal_all(self.pids(), signal.SIGSTOP)
-                signal_all(self.pids(), signal.SIGKILL)
+                signal_all(descendants(), signal.SIGSTOP)
+                signal_all(descendants(), signal.SIGKILL)
             else:
                 # Behind a wall this ends everything in two steps: bubblewrap's outer process,
                 # then the first process of the namespace, and the kernel ends the rest.

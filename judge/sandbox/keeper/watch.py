@@ -9,11 +9,10 @@ from pathlib import Path
 
 from judge.sandbox.facts import UNLISTED_PROCESSES, Facts, RunLimits, Stop
 from judge.sandbox.keeper.cgroup import SLACK_MIB, Cgroup
-from judge.sandbox.keeper.launch import Launched, RunError, launch
+from judge.sandbox.keeper.launch import GO, Launched, RunError, launch
 from judge.sandbox.keeper.pipes import Pipes
 from judge.sandbox.keeper.protocol import Request
 from judge.sandbox.keeper.tree import Tree
-from judge.sandbox.keeper.wall import GO
 
 CONTROL = 0
 FIRST_SAMPLE_S, SAMPLE_S = 0.005, 0.02  # early samples, for short runs
@@ -45,7 +44,7 @@ def run(request: Request, ahead: Launched | None, cgroup: Cgroup) -> Facts:
         try:
             stopped = watch(launched.pid, pipes, tree, started, limits, cgroup)
         finally:
-            if cgroup.processes() is not None:  # what its children hold at the end counts
+            if cgroup.holds_memory:  # what its children hold at the end counts
                 tree.sample(limits.memory_mib)
             all_ended = tree.end()
         if stopped in (None, Stop.MEMORY) and cgroup.out_of_memory:
@@ -81,7 +80,7 @@ def watch(
     for fd in (pidfd, CONTROL, *pipes.open_fds):
         poll.register(fd, select.POLLIN | select.POLLOUT)
     most_processes = limits.processes
-    if cgroup.processes() is None:
+    if not cgroup.holds_memory:
         most_processes = min(most_processes, UNLISTED_PROCESSES)
     next_sample = started + FIRST_SAMPLE_S
     try:
