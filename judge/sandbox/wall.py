@@ -58,7 +58,9 @@ class Wall:
     hidden: tuple[Path, ...] = ()
 
     def __str__(self) -> str:
-        return f"{_version(self.bwrap)} with seccomp"
+        """Return its name and version: `bubblewrap 0.11.0 with seccomp`."""
+        asked = subprocess.run([self.bwrap, "--version"], capture_output=True, env={}, check=False)
+        return f"{printable_lines(asked.stdout, lines=1, width=40)} with seccomp"
 
     def request(
         self, program: Path | None, writable: bool, prefixes: tuple[str, ...], counted: bool
@@ -148,15 +150,3 @@ def candidates(hidden: tuple[Path, ...] = ()) -> list[Wall]:
     if package is not None and package.submodule_search_locations:
         paths.append(str(Path(package.submodule_search_locations[0]) / "_bin" / "bwrap"))
     return [Wall(Path(path), hidden) for path in paths if path and Path(path).is_file()]
-
-
-@cache
-def _version(bwrap: Path) -> str:
-    """Return the name and version of a bwrap, `bubblewrap 0.11.0`, or just `bubblewrap`."""
-    try:
-        asked = subprocess.run(
-            [bwrap, "--version"], capture_output=True, env={}, timeout=10, check=True
-        )
-    except (OSError, subprocess.SubprocessError):
-        return "bubblewrap"
-    return printable_lines(asked.stdout, lines=1, width=40)

@@ -29,8 +29,8 @@ IGNORED = (signal.SIGPIPE, signal.SIGXFSZ, signal.SIGINT, signal.SIGTERM, signal
 CLONE_NEWNS = 0x20000
 MS_BIND, MS_REC, MS_PRIVATE, MS_NOSUID, MS_NODEV = 0x1000, 0x4000, 0x40000, 2, 4
 STAGE = "/sys"  # every system has it, and a private mount covers nothing there that is needed
-# RLIMIT_NPROC counts the processes of a user namespace only if it is set inside; dash and bash
-# name it differently. The first command tells the keeper that the wall stands. A shell reads no
+# The first command tells the keeper that the wall stands. RLIMIT_NPROC counts the processes of a
+# user namespace only if it is set inside; dash and bash name it differently. A shell reads no
 # more of a pipe than the line that it was told to.
 REPORT = 9  # dash knows only descriptors of one digit
 INNER = 'echo >&9; exec 9>&-; ulimit -u "$0" 2>/dev/null || ulimit -p "$0"; read -r _; exec "$@"'

@@ -25,7 +25,7 @@ class Memory:
     """Measures the memory of one program at every sample.
 
     scratch: the wall's memory file systems by place, with their sizes in bytes; empty
-    without a wall. Their content counts as the program's memory; no process shows it.
+    without a wall. Their content counts, which no process shows.
     """
 
     def __init__(self, scratch: Mapping[str, int]) -> None:

@@ -43,7 +43,7 @@ class Request(NamedTuple):
 
 def encode(message: Request | Facts | str) -> bytes:
     """Return a message as one line. A text replies why a run could not be made."""
-    return json.dumps(message, default=_characters).encode() + b"\n"
+    return json.dumps(message, default=lambda data: data.decode("latin-1")).encode() + b"\n"
 
 
 def decode_request(line: bytes) -> Request:
@@ -62,8 +62,3 @@ def decode_reply(line: bytes) -> Facts | str:
     return Facts(*content)._replace(
         stopped=stopped and Stop(stopped), stderr=stderr.encode("latin-1")
     )
-
-
-def _characters(data: bytes) -> str:
-    """Return bytes as text: each one becomes one character."""
-    return data.decode("latin-1")
