@@ -22,10 +22,9 @@ UNLISTED_PROCESSES = 32  # each may hold memory of the kernel that only a contro
 class RunLimits(NamedTuple):
     """What all processes of one run may use together.
 
-    time_limit_s: CPU seconds; memory_mib: peak resident memory; output_mib: standard output
-    and standard error together; processes: alive at once (without control groups, which
-    count the kernel's memory, at most UNLISTED_PROCESSES); elapsed_s: elapsed seconds,
-    None for what a program needs that is kept waiting.
+    time_limit_s: CPU seconds; memory_mib: peak memory; output_mib: standard output and
+    standard error together; processes: alive at once (at most UNLISTED_PROCESSES without control
+    groups); elapsed_s: elapsed seconds, None for what a program needs that is kept waiting.
     """
 
     time_limit_s: float

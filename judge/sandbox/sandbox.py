@@ -92,14 +92,11 @@ class Sandbox:
     ) -> Facts:
         """Run `command` to its end and return the facts; no process is left.
 
-        stdin: file fed through a pipe, None for an empty one. stdout: file that
-        receives at most `limits.output_bytes`. It runs in an empty directory that is
-        gone afterwards; compiling: it may write to `command.directory`.
-        Raises SandboxError.
-
+        stdin: file fed through a pipe, None for an empty one. stdout: file that receives at
+        most `limits.output_bytes`. compiling: it may write to `command.directory`.
         It is repeated once, and only if it or its keeper was killed while the kernel ran out of
         memory. How a program ended is no evidence: one that fails at random could buy itself
-        another try.
+        another try. Raises SandboxError.
         """
         kills = out_of_memory_kills()
         try:

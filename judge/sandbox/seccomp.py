@@ -1,13 +1,10 @@
 """The system-call filter of the wall, assembled here without a library.
 
-It refuses calls that a contest program never needs and an attacker could use: new namespaces,
-tracing others, kernel keys, BPF, io_uring, memory that no process shows, sockets, the
-kernel's log, and typing into the terminal. Refused calls fail with EPERM. Calls whose arguments
-the filter cannot see fail with ENOSYS, so that libraries use older calls. Calls that need a
-capability, such as mount, are left to the kernel: no program has one, or can get one.
-
-Children of a process that ignores SIGCHLD are not charged to it. Unless a control group counts
-CPU time, no program may ignore it: the call seems to succeed. Only compilers may lock files.
+It refuses calls that a contest program never needs and an attacker could use. They fail with
+EPERM; those whose arguments the filter cannot see fail with ENOSYS, so that libraries use older
+ones. Calls that need a capability, such as mount, are left to the kernel: no program has one, or
+can get one. Children of a process that ignores SIGCHLD are not charged to it. So unless a control
+group counts CPU time, no program may ignore it: the call seems to succeed.
 Source: Linux, Documentation/userspace-api/seccomp_filter.rst; linux/filter.h.
 """
 
@@ -81,8 +78,7 @@ KILL: Instruction = (RETURN, 0, 0, 0x80000000)
 def filter_program(machine: str, *, compiling: bool = False, counted: bool = False) -> bytes:
     """Return the filter for a machine (`x86_64`, `aarch64`). Raises KeyError for another.
 
-    compiling: for a compiler, which may lock files. counted: a control group counts the CPU time
-    of every process.
+    compiling: for a compiler, which may lock files. counted: a control group counts CPU time.
     """
     if machine not in AUDIT_ARCH:
         raise KeyError(f"no system-call filter for {machine}")

@@ -67,9 +67,9 @@ class Wall:
     ) -> WallRequest:
         """Return what the keeper needs to build the wall.
 
-        program: the directory to show at PROGRAM; None: no directory. writable: whether a
-        compiler may write there. prefixes: directories outside the system that hold its tools.
-        counted: a control group counts the CPU time of every process.
+        program: the directory to show at PROGRAM, if any. writable: it is for a compiler.
+        prefixes: directories outside the system that hold its tools. counted: a control group
+        counts the CPU time of every process.
         """
         staged: list[str] = []
 

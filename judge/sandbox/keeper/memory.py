@@ -65,10 +65,7 @@ class Memory:
         return 0.0
 
     def _seen_mib(self, process: Process) -> float:
-        """Return what `process` sees to be held. Raises OSError if it does not see the scratch.
-
-        A file system of another size belongs to the host: bubblewrap itself is outside.
-        """
+        """Return what `process` sees to be held. Raises OSError if it is outside the wall."""
         held = 0
         for place, size in self._scratch.items():
             seen = os.statvfs(f"{process.place}/root{place}")
@@ -81,10 +78,10 @@ class Memory:
 
 
 def proportional_mib(process: Process, without_scratch: bool) -> float:
-    """Return the memory of a process with every shared page divided among its users.
+    """Return the memory and page tables of a process; shared pages are divided among their users.
 
-    Page tables are added. without_scratch: leave out mapped files of memory file systems. If
-    the process does not let others look, this is its resident memory, or 0 if it is exiting.
+    without_scratch: leave out mapped files of memory file systems. If the process does not let
+    others look, this is its resident memory, or 0 if it is exiting.
     """
     kib = _kib(f"{process.place}/smaps_rollup")
     if "Pss:" in kib:

@@ -70,9 +70,7 @@ class Tree:
                 # Stop them first: a stopped process cannot fork while the others are signalled.
                 signal_all(descendants(), signal.SIGSTOP)
                 signal_all(descendants(), signal.SIGKILL)
-            else:
-                # Behind a wall this ends everything in two steps: bubblewrap's outer process,
-                # then the first process of the namespace, and the kernel ends the rest.
+            else:  # behind a wall, the kernel ends the rest
                 signal_all(children(os.getpid()), signal.SIGKILL)
             time.sleep(min(0.0002 + waited_s / 50, 0.02))
         self.cpu_s = max(self.cpu_s, self._reaped_s, self._counted_s())
