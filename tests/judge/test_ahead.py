@@ -67,11 +67,14 @@ def test_the_third_run_alike_gets_the_wall_that_waits(run, mark: str) -> None:
     assert wait_for_shells(mark, 1) != waits
 
 
-def test_another_command_ends_the_wall_that_waits(run, run_walled, mark: str) -> None:
+def test_another_command_ends_the_wall_that_waits(
+    run, run_walled, mark: str, tmp_path: Path
+) -> None:
     run("1")
     run("2")
     wait_for_shells(mark, 1)
-    assert run_walled("pass").exit_status == 0
+    assert run_walled("print('another')").exit_status == 0
+    assert (tmp_path / "out").read_text() == "another\n"
     assert shells(mark) == []
     run("1", memory_mib=150)
     run("2", memory_mib=150)

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from judge.kit.paths import ROOT
+from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import RunLimits, Stop
 from judge.sandbox.keeper import BOOT
 from judge.sandbox.keeper.cgroup import Cgroup
@@ -23,6 +24,7 @@ from judge.sandbox.keeper.pipes import Pipes
 from judge.sandbox.keeper.proc import STATE, Process, fields, look_at
 from judge.sandbox.keeper.tree import Tree
 from judge.sandbox.sandbox import Command, Sandbox, SandboxError
+from tests.judge.conftest import python_runner
 
 if TYPE_CHECKING:
     from tests.judge.conftest import RunPython
@@ -302,6 +304,21 @@ def test_many_processes_are_stopped_and_none_is_left(run_python: RunPython) -> N
     )
     assert run_python(code, processes=20).stopped is Stop.PROCESSES
     assert running(mark) == []
+
+
+@pytest.mark.parametrize("holding", [True, False])
+def test_fewer_processes_where_kernel_memory_is_not_counted(
+    holding: bool,
+    walled_sandbox: Sandbox,
+    uncounted_sandbox: Sandbox,
+    tmp_path: Path,
+) -> None:
+    if holding and not Cgroups().hold_memory:
+        pytest.skip("no control group limits memory")
+    code = "import os, time\nfor _ in range(45):\n    if os.fork() == 0: break\ntime.sleep(0.5)"
+    run = python_runner(walled_sandbox if holding else uncounted_sandbox, tmp_path / "out")
+    facts = run(code, processes=100, memory_mib=900)
+    assert facts.stopped is (None if holding else Stop.PROCESSES)
 
 
 def test_the_environment_and_descriptors_are_bare(run_python: RunPython, tmp_path: Path) -> None:
