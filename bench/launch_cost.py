@@ -1,7 +1,9 @@
 """What judging one tiny case costs beyond the program: `python -m bench.overhead`.
 
 The same program is run in a bare loop, by a keeper alone, and by a keeper behind the wall,
-in turn, so that whatever else the machine does affects all three alike.
+in turn, so that whatever else the machine does affects all alike. While a judge compares an
+output, the keeper builds the next wall ahead; here it does so while the others run. So the
+wall is measured once more at once after itself, when the next one is not built yet.
 """
 
 from __future__ import annotations
@@ -48,6 +50,7 @@ def _times_ms(runs: int) -> dict[str, list[float]]:
             "bare loop": lambda: subprocess.run([PROGRAM], stdin=subprocess.DEVNULL, check=True),
             "keeper": lambda: _run_in(alone),
             "keeper and wall": lambda: _run_in(walled),
+            "wall, at once": lambda: _run_in(walled),
         }
         times_ms: dict[str, list[float]] = {kind: [] for kind in kinds}
         for number in range(WARM_UP_RUNS + runs):

@@ -128,7 +128,7 @@ def judge(
                 events.result(result)
                 results.append(result)
             if options.time_limit_s is None:
-                declared = replace(time_limit.limits, time_limit_s=time_limit.declared_s)
+                declared = time_limit.limits._replace(time_limit_s=time_limit.declared_s)
                 kept = KeptVerdicts(store, submission, declared, data.manifest)
                 kept.keep({r.case.name: r.verdict for r in results if r.verdict is not None})
         else:
@@ -209,7 +209,7 @@ class _TimeLimit:
     def limits(self) -> RunLimits:
         """The current limits; they are not scaled before the scale is known."""
         factor = 1.0 if self.scale is None else self.scale.factor
-        return replace(self._base, time_limit_s=self._base.time_limit_s * factor)
+        return self._base._replace(time_limit_s=self._base.time_limit_s * factor)
 
     def limits_here(self) -> RunLimits:
         """Return the limits as they hold on this machine, which may have to be measured now."""

@@ -27,8 +27,7 @@ from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Scale, not_run
 from judge.run import Attempt, run_case, run_input
 from judge.sandbox.facts import RunLimits
-from judge.sandbox.probe import NoWallError, walled_sandbox
-from judge.sandbox.sandbox import Sandbox
+from judge.sandbox.probe import walled_sandbox
 
 T = TypeVar("T")
 AHEAD = 8  # how many cases for each job may be started before the first one has ended
@@ -60,12 +59,7 @@ class Worker:
         self._lock = threading.Lock()
         self._program: Program | None = None
         self.users = 0  # tasks that are using it now
-        try:
-            self.sandbox = walled_sandbox(job.keepers, job.hidden)
-        except NoWallError:
-            if not job.without_wall:
-                raise
-            self.sandbox = Sandbox(keepers=job.keepers)
+        self.sandbox = walled_sandbox(job.keepers, job.hidden, without_wall=job.without_wall)
 
     def compile(self) -> Program:
         """Return the compiled submission; only the first call compiles.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from judge.kept import KeptVerdicts
 from judge.kit.paths import SUBMISSIONS
@@ -87,7 +87,7 @@ class _Judge:
         self._submission = read_submission(SUBMISSIONS / name)
         self._cases = data.chosen
         self._kept = KeptVerdicts(store, self._submission, limits, data.manifest)
-        self._limits = replace(limits, time_limit_s=limits.time_limit_s * scale)
+        self._limits = limits._replace(time_limit_s=limits.time_limit_s * scale)
         self._problem = problem
         self._sandbox = sandbox
         self._program: Program | None = None

@@ -23,8 +23,7 @@ from judge.kit.store import Store
 from judge.machine import forget_scale, reference_cpu_s
 from judge.problem.data import load_data
 from judge.problem.declaration import Problem, load
-from judge.sandbox.probe import probe
-from judge.sandbox.sandbox import Sandbox
+from judge.sandbox.probe import walled_sandbox
 
 
 def written(text: str, limit_s: float, reference_s: float) -> str:
@@ -68,7 +67,7 @@ def _calibrate(parser: argparse.ArgumentParser, arguments: Sequence[str] | None)
         cases = load_data(problem, store=store).chosen
     console = PlainConsole()
     forget_scale()  # the next judging that needs it measures this machine again
-    with Sandbox(probe().wall) as sandbox:
+    with walled_sandbox(without_wall=True) as sandbox:
         reference_s = round(reference_cpu_s(problem, sandbox), 2)
         console.print(f"reference on {problem.calibration.case}: {reference_s} s of CPU time")
         times = [

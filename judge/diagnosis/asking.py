@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import Enum, auto
 
 from judge.diagnosis.gallery import NO_ANSWER, NOT_ASKED, Gallery, Scene, input_file
@@ -119,4 +119,4 @@ def _ended_well(attempt: Attempt) -> bool:
 
 
 def _at_most(limits: RunLimits, seconds: float) -> RunLimits:
-    return replace(limits, time_limit_s=min(limits.time_limit_s, seconds))
+    return limits._replace(time_limit_s=min(limits.time_limit_s, seconds))

@@ -9,16 +9,14 @@ from __future__ import annotations
 
 import contextlib
 import os
-import secrets
 import time
 from pathlib import Path
 
 from judge.sandbox.keeper.cgroup import LEAF
 from judge.sandbox.keeper.proc import read
 
-# What a keeper uses, and the controllers that do it in either version.
-CONTROLLERS = {2: {"memory": "memory", "pids": "pids"}}
-CONTROLLERS[1] = {**CONTROLLERS[2], "cpu": "cpuacct"}
+CONTROLLERS = ("memory", "pids")  # to enable in version 2, which counts CPU time without one
+OLD_CONTROLLERS = {"memory": "memory", "pids": "pids", "cpu": "cpuacct"}
 END_TIMEOUT_S = 2.0
 
 
@@ -26,42 +24,25 @@ class Cgroups:
     """The places for control groups by controller: `places`, empty if there is none.
 
     Version 2: only a control group without processes of its own can enable controllers below it.
-    If this process is the only one in its own, which then was made for it, it moves into one
-    below, LEAF, and back on close. Otherwise the new ones only count CPU time.
-
+    If this process is the only one in its own, it moves into one below, LEAF, and back on close.
+    Otherwise the new ones only count CPU time.
     process: this process's directory in /proc; None: make none.
     """
 
     def __init__(self, process: Path | None = Path("/proc/self")) -> None:
         self._moved = False
-        self.version = 2
         self.places: dict[str, Path] = {}
-        if process is None:
-            return
-        own = _own(process)
-        below = own.get("")
-        if below is not None:
-            below = self._enabled(below)
-        enabled = [] if below is None else read(below / "cgroup.subtree_control").split()
-        if below is not None:
-            self.places = {"cpu": below} | {
-                use: below for use, name in CONTROLLERS[2].items() if name in enabled
-            }
+        own = _own(process) if process else {}
+        if "" in own and (below := self._enabled(own[""])):
+            enabled = ["cpu", *read(below / "cgroup.subtree_control").split()]
+            self.places = {use: below for use in OLD_CONTROLLERS if use in enabled}
         if "memory" not in self.places:
-            old = {use: own.get(name) for use, name in CONTROLLERS[1].items()}
-            usable = {use: place for use, place in old.items() if place and _may_make(place)}
+            old = {use: own[name] for use, name in OLD_CONTROLLERS.items() if name in own}
+            usable = {use: place for use, place in old.items() if _may_make(place)}
             if "memory" in usable or not self.places:
-                self.version, self.places = 1, usable
-
-    @property
-    def count_cpu(self) -> bool:
-        """Whether they count CPU time."""
-        return "cpu" in self.places
-
-    @property
-    def hold_memory(self) -> bool:
-        """Whether the kernel limits the memory of programs."""
-        return "memory" in self.places
+                self.places = usable
+        self.count_cpu = "cpu" in self.places
+        self.hold_memory = "memory" in self.places
 
     def close(self, name: str) -> None:
         """Remove what killed keepers have left (names beginning with `name`), and move back."""
@@ -73,7 +54,7 @@ class Cgroups:
                         group.rmdir()
                 time.sleep(0.002)
         if self._moved:
-            below = next(iter(self.places.values()))
+            below = self.places["cpu"]
             _enable(below, "-")
             self._moved = not _move(below)
             with contextlib.suppress(OSError):
@@ -88,8 +69,7 @@ class Cgroups:
         alone = read(own / "cgroup.procs").split() == [str(os.getpid())]
         if not _enable(own, "+") and alone:
             self._moved = _move(own / LEAF)
-            if self._moved:
-                _enable(own, "+")
+            _enable(own, "+")
         return own
 
 
@@ -97,7 +77,7 @@ def _enable(directory: Path, sign: str) -> bool:
     """Enable the controllers below (+) or disable them (-); return whether that worked."""
     try:
         there = (directory / "cgroup.controllers").read_text().split()
-        wanted = " ".join(f"{sign}{name}" for name in CONTROLLERS[2].values() if name in there)
+        wanted = " ".join(f"{sign}{name}" for name in CONTROLLERS if name in there)
         if wanted:
             (directory / "cgroup.subtree_control").write_text(wanted)
     except OSError:
@@ -136,11 +116,4 @@ def _own(process: Path) -> dict[str, Path]:
 
 
 def _may_make(directory: Path) -> bool:
-    """Find out by making one, as file modes do not show a read-only file system."""
-    trial = directory / f"{LEAF}-{secrets.token_hex(8)}"
-    try:
-        trial.mkdir()
-        trial.rmdir()
-    except OSError:
-        return False
-    return os.access(directory / "cgroup.procs", os.W_OK)
+    return all(os.access(path, os.W_OK) for path in (directory, directory / "cgroup.procs"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import select
 import subprocess
@@ -14,14 +15,9 @@ from typing import Any
 from judge.kit.errors import KitError
 from judge.kit.paths import ROOT
 from judge.sandbox.cgroups import Cgroups
+from judge.sandbox.facts import STARVED_AT_MOST_S, Facts
 from judge.sandbox.keeper import BOOT
-from judge.sandbox.keeper.protocol import (
-    Facts,
-    Failure,
-    Request,
-    decode_reply,
-    encode_request,
-)
+from judge.sandbox.keeper.protocol import Request, decode_reply, encode
 
 ANSWER_MARGIN_S = 30.0  # extra time for a reply before the keeper counts as lost
 END_TIMEOUT_S = 15.0
@@ -41,11 +37,11 @@ class LostKeeperError(SandboxError):
 
 
 class Keeper:
-    """One keeper process and the two pipes to it. It starts in the background; see `ready`."""
+    """One keeper process and the two pipes to it. It starts in the background."""
 
     def __init__(self, scratch: Path, cgroups: Cgroups) -> None:
-        places = cgroups.version, {u: f"{p}/{scratch.name}" for u, p in cgroups.places.items()}
-        self._process = subprocess.Popen(
+        places = {use: f"{place}/{scratch.name}" for use, place in cgroups.places.items()}
+        process = subprocess.Popen(
             [sys.executable, "-I", "-S", "-c", BOOT, str(ROOT), str(scratch), json.dumps(places)],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
@@ -53,16 +49,9 @@ class Keeper:
             cwd="/",
             start_new_session=True,  # Ctrl-C must reach only the judge
         )
-        self._scratch = scratch
-        self._ready = False
-
-    def ready(self) -> None:
-        """Wait until the keeper runs and its scratch directory exists. Raises SandboxError."""
-        if not self._ready:
-            answer = self._reply(ANSWER_MARGIN_S)
-            if isinstance(answer, Failure):
-                raise SandboxError(f"{self._scratch.parent}: no scratch space: {answer.why}")
-            self._ready = True
+        assert process.stdin is not None
+        assert process.stdout is not None
+        self._process, self._requests, self._replies = process, process.stdin, process.stdout
 
     @property
     def user(self) -> int:
@@ -73,44 +62,33 @@ class Keeper:
         """Tell whether the process is running."""
         return self._process.poll() is None
 
-    def ask(self, request: Request) -> Facts | Failure:
-        """Send one request and wait for the reply. Raises SandboxError if the keeper is lost."""
-        self.ready()
-        stdin = self._process.stdin
-        assert stdin is not None
+    def ask(self, request: Request) -> Facts:
+        """Send one request and wait for the reply. Raises SandboxError; then the keeper is lost."""
+        longest_s = request.limits.kill_elapsed_s + STARVED_AT_MOST_S
+        give_up = time.monotonic() + longest_s + ANSWER_MARGIN_S
+        line = b""
         try:
-            stdin.write(encode_request(request))
-            stdin.flush()
-        except (OSError, ValueError):  # ValueError: closed by hang_up in another thread
-            raise LostKeeperError from None
-        reply = self._reply(request.kill_elapsed_s + ANSWER_MARGIN_S)
-        if reply is None:
-            raise LostKeeperError
-        return reply
-
-    def _reply(self, timeout_s: float) -> Facts | Failure | None:
-        stdout = self._process.stdout
-        assert stdout is not None
-        try:
+            self._requests.write(encode(request))
+            self._requests.flush()
             ready: list[Any] = []
-            give_up = time.monotonic() + timeout_s
-            while not ready and (left_s := give_up - time.monotonic()) > 0:
+            while not ready and time.monotonic() < give_up:
                 # One second at a time: Python handles a signal only between two waits.
-                ready, _, _ = select.select([stdout], [], [], min(left_s, 1.0))
-            line = stdout.readline() if ready else b""
-        except (OSError, ValueError):
-            line = b""
+                ready, _, _ = select.select([self._replies], [], [], 1.0)
+            if ready:
+                line = self._replies.readline()
+        except (OSError, ValueError):  # ValueError: closed by hang_up in another thread
+            pass
         if not line:
             raise LostKeeperError
-        return decode_reply(line)
+        reply = decode_reply(line)
+        if isinstance(reply, str):
+            raise SandboxError(reply)
+        return reply
 
     def hang_up(self) -> None:
         """Close the control pipe, which makes the keeper stop its run and exit."""
-        if self._process.stdin is not None:
-            try:
-                self._process.stdin.close()
-            except OSError:
-                return  # an unsent request cannot be written: the keeper has exited
+        with contextlib.suppress(OSError):  # an unsent request: the keeper has exited
+            self._requests.close()
 
     def end(self) -> None:
         """Hang up and wait until the keeper exits; kill it if it does not."""
@@ -120,8 +98,7 @@ class Keeper:
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()
-        if self._process.stdout is not None:
-            self._process.stdout.close()
+        self._replies.close()
 
 
 @cache

@@ -1,65 +1,48 @@
-"""Finds a wall that works on this machine, by a trial launch."""
+"""Finds a wall that works on this machine, by a trial run."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 from judge.kit.text import printable_lines
 from judge.sandbox.facts import RunLimits
 from judge.sandbox.sandbox import Command, Sandbox, SandboxError
-from judge.sandbox.wall import Wall, candidates
+from judge.sandbox.wall import candidates
 
-PROBE_LIMITS = RunLimits(time_limit_s=2.0, memory_mib=64, output_mib=1)
+TRIAL = Command(("/bin/sh", "-c", ":"))
+TRIAL_LIMITS = RunLimits(time_limit_s=2.0, memory_mib=64, output_mib=1)
 
 
 class NoWallError(SandboxError):
     """No wall works on this machine; the message says why."""
 
 
-@dataclass(frozen=True, slots=True)
-class Probe:
-    """The wall that works; or None, and why no wall does."""
+def walled_sandbox(
+    keepers: int = 1, hidden: tuple[Path, ...] = (), *, without_wall: bool = False
+) -> Sandbox:
+    """Return a sandbox whose wall works, after one trial run in it: about 40 ms.
 
-    wall: Wall | None
-    why: str = ""
-
-
-def probe() -> Probe:
-    """Try every candidate in turn. About 40 ms."""
-    try:
-        with walled_sandbox() as sandbox:
-            return Probe(sandbox.wall)
-    except NoWallError as error:
-        return Probe(None, str(error))
-
-
-def walled_sandbox(keepers: int = 1, hidden: tuple[Path, ...] = ()) -> Sandbox:
-    """Return a sandbox whose wall works, after one trial run in it. Raises NoWallError.
-
-    keepers: as of `Sandbox`; hidden: as of `Wall`.
+    keepers: as of `Sandbox`; hidden: as of `Wall`; without_wall: if none works, return a sandbox
+    without one. Otherwise raises NoWallError.
     """
     why = "no bwrap is installed"
     for wall in candidates(hidden):
         try:
-            sandbox = Sandbox(wall, keepers)
-        except SandboxError as error:
-            why = f"{wall.bwrap}: {_line(error)}"
-            continue
-        try:
-            output = sandbox.scratch / "probe"
-            facts = sandbox.run(Command(("/bin/sh", "-c", ":")), PROBE_LIMITS, stdout=output)
-            if facts.exit_status == 0:
-                return sandbox
-            why = f"{wall.bwrap}: a trial run ended with exit status {facts.exit_status}"
+            return _tried(Sandbox(wall, keepers))
         except (SandboxError, KeyError) as error:
-            why = f"{wall.bwrap}: {_line(error)}"
-        except BaseException:
-            sandbox.close()
-            raise
-        sandbox.close()
+            why = f"{wall.bwrap}: {printable_lines(str(error).encode(), lines=1)}"
+    if without_wall:
+        return Sandbox(keepers=keepers)
     raise NoWallError(why)
 
 
-def _line(error: Exception) -> str:
-    return printable_lines(str(error).encode(), lines=1)
+def _tried(sandbox: Sandbox) -> Sandbox:
+    """Return the sandbox after a trial run; close it if that fails. Raises SandboxError."""
+    try:
+        facts = sandbox.run(TRIAL, TRIAL_LIMITS, stdout=sandbox.scratch / "trial")
+        if facts.exit_status != 0:
+            raise SandboxError(f"a trial run ended with exit status {facts.exit_status}")
+    except BaseException:
+        sandbox.close()
+        raise
+    return sandbox

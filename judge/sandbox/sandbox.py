@@ -9,21 +9,23 @@ import threading
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from signal import SIGKILL
 from typing import Self
 
 from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import Facts, RunLimits
-from judge.sandbox.keeper.protocol import Failure, Request
+from judge.sandbox.keeper.launch import open_to_all
+from judge.sandbox.keeper.protocol import Request
 from judge.sandbox.keeper.remove import remove
-from judge.sandbox.keeper.wall import open_to_all
 from judge.sandbox.keepers import Keeper, LostKeeperError, SandboxError
-from judge.sandbox.retry import TRIES, killed_by_another, out_of_memory_kills
 from judge.sandbox.wall import PROGRAM, SCRATCH, Wall
 
 __all__ = ["Command", "Sandbox", "SandboxError"]
 
+KILLED = 128 + SIGKILL  # how a wall, or a shell, passes SIGKILL on
+VMSTAT = Path("/proc/vmstat")
 LEAST_SCRATCH_KIB = 1024  # if less is left, a failed compilation may lack space
-FILE_MIB = 256  # the largest file a run may write into its scratch directory
+UNCOUNTED_MIB = 500  # measured with mappings, pipes and epoll watches; see docs/security.md
 ENDED = "the judging was ended"
 
 
@@ -46,9 +48,8 @@ class Sandbox:
     """A pool of keepers and a scratch directory, both gone when it is closed.
 
     Any number of threads may call `run` at once; each run has a keeper to itself. keepers:
-    how many to start in advance.
-    The keepers make the scratch directory, and remove it when this process dies for any
-    reason. Raises SandboxError if they cannot make it.
+    how many to start in advance. They remove the scratch directory if this process dies for any
+    reason. Raises SandboxError if it cannot be made.
     """
 
     def __init__(
@@ -60,15 +61,18 @@ class Sandbox:
         self.scratch = Path(tempfile.gettempdir()).resolve() / name
         self._lock = threading.Lock()
         self._closed = False
-        self._idle: list[Keeper] = []
         self._all: list[Keeper] = []
+        self._idle: list[Keeper] = []
         try:
             for _ in range(keepers):
-                self._all.append(Keeper(self.scratch, self._cgroups))
-            self._idle += self._all
-            self._idle[-1].ready()  # the first run takes this one
-        except BaseException:  # even KeyboardInterrupt: the directory may exist
+                self._idle.append(self._new_keeper())
+            # Made when a keeper is there that will remove it. Root's programs run as another
+            # user, who must be able to enter but not to list it.
+            self.scratch.mkdir(mode=0o700 if os.getuid() else 0o711)
+        except BaseException as error:  # even KeyboardInterrupt: the directory may exist
             self.close()
+            if isinstance(error, OSError):
+                raise self._no_space(error) from None
             raise
 
     def __enter__(self) -> Self:
@@ -88,23 +92,25 @@ class Sandbox:
     ) -> Facts:
         """Run `command` to its end and return the facts; no process is left.
 
-        stdin: file fed through a pipe, None for an empty one. stdout: file that
-        receives at most `limits.output_bytes`. It runs in an empty directory that is
-        gone afterwards; compiling: it may write to `command.directory`.
-        If the kernel killed it, or its keeper, for want of memory on this machine, it is repeated
-        once (see `judge.sandbox.retry`). Raises SandboxError.
+        stdin: file fed through a pipe, None for an empty one. stdout: file that receives at
+        most `limits.output_bytes`. compiling: it may write to `command.directory`.
+        It is repeated once, and only if it or its keeper was killed while the kernel ran out of
+        memory. How a program ended is no evidence: one that fails at random could buy itself
+        another try. Raises SandboxError.
         """
-        for _ in range(TRIES - 1):
-            kills = out_of_memory_kills()
-            try:
-                facts = self._run(command, limits, stdin, stdout, compiling)
-            except LostKeeperError:
-                if self._closed or out_of_memory_kills() == kills:
-                    raise
-            else:
-                if not killed_by_another(facts) or out_of_memory_kills() == kills:
-                    return facts
-        return self._run(command, limits, stdin, stdout, compiling)
+        kills = out_of_memory_kills()
+        try:
+            facts = self._run(command, limits, stdin, stdout, compiling)
+            again = killed_by_another(facts) and out_of_memory_kills() > kills
+        except LostKeeperError:
+            again = not self._closed and out_of_memory_kills() > kills
+            if not again:
+                raise
+        if again:
+            facts = self._run(command, limits, stdin, stdout, compiling)
+        if compiling and killed_by_another(facts):
+            raise SandboxError("something killed the compiler")
+        return facts
 
     def _run(
         self,
@@ -114,52 +120,40 @@ class Sandbox:
         stdout: Path,
         compiling: bool,
     ) -> Facts:
+        home = SCRATCH if self.wall else self.new_directory("run-")
         keeper = self._take()
-        own: Path | None = None
         try:
             wall = user = None
-            if self.wall is None:
-                own = self.new_directory("run-")
-            else:
-                wall = self.wall.request(
-                    command.directory,
-                    writable=compiling,
-                    prefixes=command.prefixes,
-                    counted=self._cgroups.count_cpu,
-                )
-            if os.getuid() == 0 and (wall is not None or self._open_to_all(command)):
+            if self.wall:
+                counted = self._cgroups.count_cpu
+                wall = self.wall.request(command.directory, compiling, command.prefixes, counted)
+            if os.getuid() == 0 and (wall or self._open_to_all(command)):
                 user = keeper.user
-                for directory in (own, command.directory if compiling else None):
-                    if directory is not None:
-                        os.chown(directory, user, user)
-            home = SCRATCH if own is None else own
+                if not wall:
+                    os.chown(home, user, user)
+                if compiling and command.directory:
+                    os.chown(command.directory, user, user)
             request = Request(
                 argv=command.argv,
                 env={**command.env, "HOME": str(home), "TMPDIR": str(home)},
-                cwd="/" if own is None else str(own),
+                cwd="/" if wall else str(home),
                 user=user,
                 wall=wall,
                 stdin=None if stdin is None else str(stdin),
                 stdout=str(stdout),
-                kill_cpu_s=limits.kill_cpu_s,
-                kill_elapsed_s=limits.kill_elapsed_s,
-                memory_mib=limits.memory_mib,
-                output_bytes=limits.output_bytes,
-                processes=limits.processes,
-                file_mib=FILE_MIB,
+                limits=limits,
             )
-            reply = keeper.ask(request)
+            facts = keeper.ask(request)
         except BaseException:
             keeper.end()
             raise
         finally:
-            if own is not None:
-                remove(own)
-        if reply.all_ended:
-            self._give_back(keeper)
-        if isinstance(reply, Failure):
-            raise SandboxError(reply.why)
-        return reply
+            if not self.wall:
+                remove(home)
+        if facts.all_ended:
+            with self._lock:
+                self._idle.append(keeper)
+        return facts
 
     @property
     def protection(self) -> str | None:
@@ -168,25 +162,18 @@ class Sandbox:
             return None
         if self._cgroups.hold_memory:
             return f"{self.wall} and control groups"
-        return f"{self.wall}, without control groups (memory of the kernel is not counted)"
+        hidden = f"up to {UNCOUNTED_MIB} MiB of kernel memory are not counted"
+        return f"{self.wall}, without control groups ({hidden})"
 
     def inside(self, directory: Path) -> Path:
         """Return the path at which a program sees its `directory`."""
-        return directory if self.wall is None else PROGRAM
+        return PROGRAM if self.wall else directory
 
     def new_program_directory(self) -> Path:
         """Return an empty directory that a compiler behind the wall may write to."""
         directory = self.new_directory("program-")
         directory.chmod(0o755)
         return directory
-
-    def _open_to_all(self, command: Command) -> bool:
-        """Tell whether every user can reach the files that the command needs."""
-        needed = (os.path.realpath(command.argv[0]), *command.prefixes, f"{self.scratch}/run")
-        try:
-            return all(map(open_to_all, needed))
-        except OSError:  # a file is missing: the launch will report it
-            return False
 
     def new_directory(self, prefix: str) -> Path:
         """Return an empty directory that exists until `close`. Raises SandboxError."""
@@ -195,7 +182,7 @@ class Sandbox:
         try:
             return Path(tempfile.mkdtemp(dir=self.scratch, prefix=prefix))
         except OSError as error:
-            raise SandboxError(f"{self.scratch}: no scratch space: {error.strerror}") from None
+            raise self._no_space(error) from None
 
     def check_space(self) -> None:
         """Raise SandboxError if less than LEAST_SCRATCH_KIB is left for scratch files."""
@@ -211,25 +198,46 @@ class Sandbox:
         """Stop all runs and keepers and remove the scratch directory; may be called twice."""
         with self._lock:
             self._closed = True
-            keepers = list(self._all)
-        for keeper in keepers:
+        for keeper in self._all:
             keeper.hang_up()
-        for keeper in keepers:
+        for keeper in self._all:
             keeper.end()
         self._cgroups.close(self.scratch.name)
         remove(self.scratch)
+
+    def _no_space(self, error: OSError) -> SandboxError:
+        return SandboxError(f"{self.scratch.parent}: no scratch space: {error.strerror}")
+
+    def _open_to_all(self, command: Command) -> bool:
+        """Tell whether every user can reach the files that the command needs."""
+        needed = (os.path.realpath(command.argv[0]), *command.prefixes, f"{self.scratch}/run")
+        try:
+            return all(map(open_to_all, needed))
+        except OSError:  # a file is missing: the launch will report it
+            return False
 
     def _take(self) -> Keeper:
         with self._lock:
             if self._closed:
                 raise SandboxError(ENDED)
-            if self._idle:
-                return self._idle.pop()
-            keeper = Keeper(self.scratch, self._cgroups)
-            self._all = [k for k in self._all if k.alive()] + [keeper]
-            return keeper
+            while self._idle:
+                keeper = self._idle.pop()
+                if keeper.alive():
+                    return keeper
+            return self._new_keeper()
 
-    def _give_back(self, keeper: Keeper) -> None:
-        with self._lock:
-            if keeper.alive():
-                self._idle.append(keeper)
+    def _new_keeper(self) -> Keeper:
+        keeper = Keeper(self.scratch, self._cgroups)
+        self._all = [each for each in self._all if each.alive()] + [keeper]
+        return keeper
+
+
+def killed_by_another(facts: Facts) -> bool:
+    """Tell whether a SIGKILL that the keeper did not send ended the run."""
+    return facts.stopped is None and (facts.signal == SIGKILL or facts.exit_status == KILLED)
+
+
+def out_of_memory_kills(vmstat: Path = VMSTAT) -> int:
+    """Return how many processes the kernel has killed for want of memory, 0 if it is unknown."""
+    lines = vmstat.read_text().splitlines() if vmstat.exists() else []
+    return next((int(line.split()[1]) for line in lines if line.startswith("oom_kill ")), 0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from judge.diagnosis.asking import Answers, ask
 from judge.diagnosis.gallery import Gallery
@@ -37,7 +37,7 @@ class Faulty:
     def answers(self, contents: Sequence[bytes], scenarios: Sequence[int]) -> str | None:
         """Return the answers to input files, one letter each; None if a run is out of step."""
         given = ""
-        limits = replace(self.limits, time_limit_s=BATCH_LIMIT_S)
+        limits = self.limits._replace(time_limit_s=BATCH_LIMIT_S)
         for attempt, expected in zip(self.attempts(contents, limits), scenarios, strict=True):
             found = letters(attempt.output)
             if attempt.judgement.verdict is not Verdict.AC or len(found) != expected:

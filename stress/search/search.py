@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import chain
 
 from gen.rng import Rng
@@ -131,4 +131,4 @@ def _hurried(subject: Subject) -> Subject:
     """Return the same program with less time, which is still many times what is needed."""
     limits = subject.limits
     hurried = limits.time_limit_s / TLE_PART
-    return subject.limited(replace(limits, time_limit_s=hurried, elapsed_s=3 * hurried))
+    return subject.limited(limits._replace(time_limit_s=hurried, elapsed_s=3 * hurried))

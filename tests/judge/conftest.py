@@ -13,8 +13,10 @@ import pytest
 from judge.kit.paths import ROOT
 from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import Facts, RunLimits
-from judge.sandbox.probe import probe
+from judge.sandbox.probe import NoWallError
+from judge.sandbox.probe import walled_sandbox as find_wall
 from judge.sandbox.sandbox import Command, Sandbox
+from judge.sandbox.wall import Wall
 
 Checker = Callable[..., subprocess.CompletedProcess[str]]
 RunPython = Callable[..., Facts]
@@ -84,21 +86,26 @@ def sandbox() -> Iterator[Sandbox]:
 
 
 @pytest.fixture(scope="session")
-def walled_sandbox() -> Iterator[Sandbox]:
-    found = probe()
-    if found.wall is None:
-        pytest.skip(f"no wall works on this machine: {found.why}")
-    with Sandbox(found.wall) as box:
+def wall() -> Wall:
+    """The wall that works on this machine."""
+    try:
+        with find_wall() as box:
+            assert box.wall is not None
+            return box.wall
+    except NoWallError as error:
+        pytest.skip(f"no wall works on this machine: {error}")
+
+
+@pytest.fixture(scope="session")
+def walled_sandbox(wall: Wall) -> Iterator[Sandbox]:
+    with Sandbox(wall) as box:
         yield box
 
 
 @pytest.fixture(scope="session")
-def uncounted_sandbox() -> Iterator[Sandbox]:
+def uncounted_sandbox(wall: Wall) -> Iterator[Sandbox]:
     """With a wall, and without control groups, as where a user may make none."""
-    found = probe()
-    if found.wall is None:
-        pytest.skip(f"no wall works on this machine: {found.why}")
-    with Sandbox(found.wall, cgroups=Cgroups(None)) as box:
+    with Sandbox(wall, cgroups=Cgroups(None)) as box:
         yield box
 
 
@@ -114,6 +121,7 @@ def python_runner(sandbox: Sandbox, out: Path) -> RunPython:
             memory_mib=int(limits.get("memory_mib", 200)),
             output_mib=int(limits.get("output_mib", 1)),
             processes=int(limits.get("processes", 32)),
+            elapsed_s=limits.get("elapsed_s"),
         )
         return sandbox.run(Command(argv, prefixes=prefixes), allowed, stdin=stdin, stdout=out)
 

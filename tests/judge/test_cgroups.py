@@ -15,9 +15,9 @@ from judge.kit.paths import ROOT
 from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import Facts, RunLimits, Stop
 from judge.sandbox.keeper.cgroup import LEAF, SLACK_MIB, Cgroup
-from judge.sandbox.keeper.protocol import Request, decode_reply, encode_request
-from judge.sandbox.probe import probe
+from judge.sandbox.keeper.protocol import Request, decode_reply, encode
 from judge.sandbox.sandbox import Command, Sandbox
+from judge.sandbox.wall import Wall
 
 MOUNT = "41 31 0:38 {root} {place} rw,relatime - cgroup2 cgroup2 rw\n"
 OTHER = "40 31 0:37 / /sys/fs/cgroup/cpu rw,relatime - cgroup cgroup rw,cpu\n"
@@ -68,11 +68,7 @@ def test_without_cgroup_v2_there_is_no_control_group(fake, missing: str) -> None
 
 def test_where_no_control_group_can_be_made_nothing_changes(fake, monkeypatch) -> None:
     process, own = fake()
-
-    def refuse(*_arguments: object, **_options: object) -> None:
-        raise PermissionError
-
-    monkeypatch.setattr(Path, "mkdir", refuse)
+    monkeypatch.setattr("os.access", lambda *_: False)
     assert Cgroups(process).places == {}
     assert (own / "cgroup.subtree_control").read_text() == ""
 
@@ -116,7 +112,6 @@ def test_version_1_has_a_place_for_each_controller(tmp_path: Path) -> None:
         (tmp_path / name / "a").mkdir(parents=True)
         (tmp_path / name / "a" / "cgroup.procs").touch()
     groups = Cgroups(process)
-    assert groups.version == 1
     assert groups.places == {
         "memory": tmp_path / "memory" / "a",
         "pids": tmp_path / "pids" / "a",
@@ -159,7 +154,7 @@ def test_what_a_keeper_reads_and_writes(tmp_path: Path, monkeypatch, version: in
 
     monkeypatch.setattr(Path, "mkdir", kernel_mkdir)
     own = tmp_path / f"g-{os.getpid()}"
-    cgroup = Cgroup(dict.fromkeys(("memory", "pids", "cpu"), f"{tmp_path}/g"), version)
+    cgroup = Cgroup(dict.fromkeys(("memory", "pids", "cpu"), f"{tmp_path}/g"))
     assert (own / "cgroup.procs").read_text().startswith(str(os.getpid()))
     (own / "cgroup.procs").write_text(f"{os.getpid()}\n7\n8\n")
     cgroup.begin(memory_mib=100, processes=9)
@@ -172,7 +167,7 @@ def test_what_a_keeper_reads_and_writes(tmp_path: Path, monkeypatch, version: in
         assert limits == (most, most)
     assert wrote["pids.max"].startswith("10")
     assert (cgroup.cpu_s(), cgroup.memory_mib(), cgroup.out_of_memory) == (0.0, 0.0, False)
-    assert cgroup.processes() == [7, 8]
+    assert cgroup.processes() == 2
     used = "memory.current" if version == 2 else "memory.usage_in_bytes"
     (own / used).write_text(str(50 << 20))
     assert cgroup.memory_mib() == 20.0
@@ -181,11 +176,35 @@ def test_what_a_keeper_reads_and_writes(tmp_path: Path, monkeypatch, version: in
     assert cgroup.out_of_memory
 
 
+@pytest.mark.parametrize("judge_lives", [True, False])
+def test_after_a_killed_judge_keepers_remove_what_it_made(
+    tmp_path: Path, monkeypatch, judge_lives: bool
+) -> None:
+    """Version 2: who enters its own control group again must first disable the controllers."""
+    leaf, own = tmp_path / LEAF, tmp_path / f"g-{os.getpid()}"
+    leaf.mkdir()
+    own.mkdir()
+    for directory in (leaf, own, tmp_path):
+        (directory / "cgroup.procs").write_text("")
+    control = tmp_path / "cgroup.subtree_control"
+    control.write_text("memory pids  ")
+    if judge_lives:
+        (leaf / "cgroup.procs").write_text("1\n")
+    cgroup = Cgroup({"memory": f"{tmp_path}/g"})
+    removed: list[str] = []
+    monkeypatch.setattr(Path, "rmdir", lambda path: removed.append(path.name))
+    cgroup.close()
+    assert control.read_text() == ("memory pids  " if judge_lives else "-memory -pids")
+    assert (tmp_path / "cgroup.procs").read_text() == str(os.getpid())
+    assert removed == [own.name, LEAF]  # the kernel refuses to remove one that is in use
+
+
 def test_without_control_groups_nothing_is_counted(tmp_path: Path) -> None:
     # No kernel made the directory of the second one, so it has no cgroup.procs.
-    for cgroup in (Cgroup({}, 2), Cgroup({"memory": f"{tmp_path}/g"}, 1)):
+    for cgroup in (Cgroup({}), Cgroup({"memory": f"{tmp_path}/g"})):
         cgroup.begin(100, 9)
-        assert (cgroup.memory_mib(), cgroup.processes(), cgroup.counts_cpu) == (None, None, False)
+        assert (cgroup.holds_memory, cgroup.counts_cpu) == (False, False)
+        assert (cgroup.memory_mib(), cgroup.cpu_s()) == (0.0, 0.0)
         assert not cgroup.out_of_memory
         cgroup.close()
     assert list(tmp_path.iterdir()) == []
@@ -195,9 +214,10 @@ KERNEL_ENDS_IT = """
 import os, sys
 from judge.sandbox.keeper import watch
 from judge.sandbox.keeper.cgroup import Cgroup
-from judge.sandbox.keeper.protocol import decode_request, encode_reply
+from judge.sandbox.keeper.protocol import decode_request, encode
 Cgroup.out_of_memory = True
-os.write(1, encode_reply(watch.run(decode_request(sys.argv[1].encode()), Cgroup({}, 2))))
+request = decode_request(sys.argv[1].encode())
+os.write(1, encode(watch.run(request, None, Cgroup({}))))
 """
 
 
@@ -205,12 +225,11 @@ def test_a_program_that_the_kernel_kills_for_memory_is_over_the_limit(tmp_path: 
     request = Request(
         argv=(sys.executable, "-c", "import os; os.kill(os.getpid(), 9)"),
         **{"cwd": "/", "env": {}, "stdin": None, "stdout": f"{tmp_path}/out"},
-        **{"kill_cpu_s": 9, "kill_elapsed_s": 9, "memory_mib": 64, "output_bytes": 9},
-        **{"processes": 64, "file_mib": 1, "wall": None, "user": None},
+        **{"wall": None, "user": None, "limits": RunLimits(9, memory_mib=64, output_mib=1)},
     )
     reader, writer = os.pipe()  # the keeper's control pipe: silent, but open
     done = subprocess.run(
-        [sys.executable, "-c", KERNEL_ENDS_IT, encode_request(request).decode()],
+        [sys.executable, "-c", KERNEL_ENDS_IT, encode(request).decode()],
         **{"stdin": reader, "stdout": subprocess.PIPE, "cwd": ROOT, "timeout": 60, "check": True},
     )
     os.close(reader)
@@ -234,17 +253,19 @@ def left(groups: Cgroups, name: str) -> list[str]:
     return [str(path) for place in groups.places.values() for path in place.glob(f"{name}*")]
 
 
-@pytest.mark.parametrize("wall", [False, True])
-def test_no_control_group_is_left(real: Cgroups, tmp_path: Path, wall: bool) -> None:
+@pytest.mark.parametrize("with_wall", [False, True])
+def test_no_control_group_is_left(
+    real: Cgroups, tmp_path: Path, wall: Wall, with_wall: bool
+) -> None:
     script = "setsid sleep 60 & cat /proc/self/cgroup"
     limits = RunLimits(time_limit_s=5, memory_mib=200, output_mib=1)
-    with Sandbox(probe().wall if wall else None) as sandbox:
+    with Sandbox(wall if with_wall else None) as sandbox:
         name = sandbox.scratch.name
         facts = sandbox.run(Command(("/bin/sh", "-c", script)), limits, stdout=tmp_path / "out")
         assert left(real, name), "the keeper has none"
     assert facts.exit_status == 0
     assert left(real, name) == []
-    assert (name in (tmp_path / "out").read_text()) is not wall  # a namespace hides the names
+    assert (name in (tmp_path / "out").read_text()) is not with_wall  # a namespace hides the names
 
 
 def test_what_a_killed_keeper_leaves_is_removed(real: Cgroups) -> None:
@@ -335,3 +356,13 @@ def test_the_number_of_processes_is_limited(real: Cgroups, run_bare, tmp_path) -
     )
     run_bare(code, processes=32)
     assert int((tmp_path / "out").read_text() or 0) <= 32 + 4
+
+
+def test_the_report_says_what_holds(walled_sandbox: Sandbox, uncounted_sandbox: Sandbox) -> None:
+    counted = Cgroups().hold_memory
+    said = str(walled_sandbox.protection)
+    assert said.endswith("with seccomp and control groups") is counted
+    uncounted = str(uncounted_sandbox.protection)
+    figure = "without control groups (up to 500 MiB of kernel memory are not counted)"
+    assert uncounted.endswith(figure)
+    assert "500 MiB" in (ROOT / "docs" / "security.md").read_text()

@@ -16,8 +16,8 @@ from pathlib import Path
 import pytest
 
 from judge.kit.paths import ROOT
-from judge.sandbox.keeper.proc import children, descendants, read
-from judge.sandbox.probe import probe
+from judge.sandbox.keeper.proc import children, fields
+from judge.sandbox.wall import Wall
 
 PR_SET_CHILD_SUBREAPER = 36
 LONGEST_MOMENT_S = 1.2  # by then, the judging of these cases is over or nearly so
@@ -32,13 +32,11 @@ ROUNDS = [
 
 
 @pytest.fixture(autouse=True)
-def no_process_is_left() -> Iterator[None]:
+def no_process_is_left(wall: Wall) -> Iterator[None]:
     """Adopt every process that outlives the checker, so that it is found."""
-    found = probe()
-    if found.wall is None:
-        pytest.skip(f"no wall works on this machine: {found.why}")
+    assert wall
     ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1)
-    before = set(descendants())
+    before = alive()
     yield
     give_up = time.monotonic() + 20
     while alive() - before and time.monotonic() < give_up:
@@ -47,10 +45,8 @@ def no_process_is_left() -> Iterator[None]:
 
 
 def alive() -> set[int]:
-    """Return the living descendants. Zombies are left out: nobody but this process reaps them."""
-    states = {
-        pid: read(f"/proc/{pid}/stat").rpartition(")")[2].split()[:1] for pid in descendants()
-    }
+    """Return the living children. Zombies are left out: nobody but this process reaps them."""
+    states = {pid: fields(f"/proc/{pid}")[:1] for pid in children(os.getpid())}
     return {pid for pid, state in states.items() if state not in ([], ["Z"])}
 
 

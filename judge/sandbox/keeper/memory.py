@@ -6,17 +6,17 @@ is not counted: docs/security.md says how much that can be.
 
 from __future__ import annotations
 
+import contextlib
 import os
+import platform
 import time
 from collections.abc import Mapping, Sequence
 
-from judge.sandbox.keeper.libc import system_call
-from judge.sandbox.keeper.proc import EXITING, FLAGS, Process, fields, read
+from judge.sandbox.keeper.proc import EXITING, FLAGS, LIBC, Process, fields, read
 
 INODE_BYTES = 1024  # about what a file of a memory file system takes, with its name
 SOCKET_BYTES = 2 * 212992  # unread ones: the kernel allows twice the default of its setting
-WALL_PROCESSES = 2  # bubblewrap itself, and the first process inside
-WALL_MIB = 8.0  # either has less, unless the program has taken it over
+WALL_MIB = 8.0  # the wall's own processes have less, unless the program has taken one over
 EXACT_AT_MOST_S = 0.004  # at one sample; what is left is measured at the next one
 KCMP, KCMP_VM = {"x86_64": 312, "aarch64": 272}, 1
 
@@ -25,7 +25,7 @@ class Memory:
     """Measures the memory of one program at every sample.
 
     scratch: the wall's memory file systems by place, with their sizes in bytes; empty
-    without a wall. Their content counts as the program's memory; no process shows it.
+    without a wall. Their content counts, which no process shows.
     """
 
     def __init__(self, scratch: Mapping[str, int]) -> None:
@@ -39,60 +39,51 @@ class Memory:
         measured exactly, for some milliseconds at each sample, and the result is exact
         when all were measured. One process is measured only near the limit.
         """
-        walls = live[: WALL_PROCESSES if self._scratch else 0]
-        own = [process for process in walls if process.resident_mib > WALL_MIB]
-        own = [*own, *live[len(walls) :]] or list(live)
         held_mib = self._held_mib(live)
-        largest_mib = max((process.resident_mib for process in own), default=0.0) + held_mib
-        if len(own) <= 1:
-            largest_mib += sum(map(tables_mib, own))
-            if largest_mib <= limit_mib:
-                return largest_mib
+        resident_mib = [process.resident_mib for process in live]
+        largest_mib = max(resident_mib, default=0.0)
+        if sum(resident_mib) - largest_mib <= WALL_MIB:
+            tables = sum(map(tables_mib, live))
+            if held_mib + largest_mib + tables <= limit_mib:
+                return held_mib + largest_mib + tables
         give_up = time.monotonic() + EXACT_AT_MOST_S
-        for process in own:
+        for process in live:
             if process.identity not in self._exact_mib and time.monotonic() < give_up:
                 exact_mib = proportional_mib(process, bool(self._scratch))
                 self._exact_mib[process.identity] = exact_mib
-        if any(process.identity not in self._exact_mib for process in own):
-            return max(largest_mib, held_mib + sum(self._exact_mib.values()))
-        exact_mib = held_mib + sum(self._exact_mib[p.identity] for p in distinct(own))
+        if any(process.identity not in self._exact_mib for process in live):
+            return held_mib + max(largest_mib, sum(self._exact_mib.values()))
+        exact_mib = sum(self._exact_mib[process.identity] for process in distinct(live))
         self._exact_mib.clear()
-        return exact_mib
+        return held_mib + exact_mib
 
     def _held_mib(self, live: Sequence[Process]) -> float:
         """Return what the scratch file systems and sockets behind the wall hold, as seen there."""
-        if not self._scratch:
-            return 0.0
-        held = (self._held_bytes(process) for process in live)
-        return next((found for found in held if found is not None), 0) / 2**20
+        for process in live if self._scratch else ():
+            with contextlib.suppress(OSError):
+                return self._seen_mib(process)
+        return 0.0
 
-    def _held_bytes(self, process: Process) -> int | None:
-        """Return the bytes held as seen by `process`, None if it does not see all of the scratch.
-
-        A file system of another size belongs to the host: the wall is still being built.
-        """
+    def _seen_mib(self, process: Process) -> float:
+        """Return what `process` sees to be held. Raises OSError if it is outside the wall."""
         held = 0
         for place, size in self._scratch.items():
-            try:
-                seen = os.statvfs(f"{process.place}/root{place}")
-            except OSError:
-                return None
+            seen = os.statvfs(f"{process.place}/root{place}")
             if seen.f_blocks * seen.f_frsize != size:
-                return None
+                raise OSError
             held += (seen.f_blocks - seen.f_bfree) * seen.f_frsize
             held += (seen.f_files - seen.f_ffree) * INODE_BYTES
         sockets = read(f"{process.place}/net/sockstat").split()  # sockets: used 8 ...
-        return held + (int(sockets[2]) * SOCKET_BYTES if sockets else 0)
+        return (held + int(sockets[2]) * SOCKET_BYTES if sockets else held) / 2**20
 
 
 def proportional_mib(process: Process, without_scratch: bool) -> float:
-    """Return the memory of a process with every shared page divided among its users.
+    """Return the memory and page tables of a process; shared pages are divided among their users.
 
-    Page tables are added. without_scratch: leave out mapped files of memory file systems. If
-    the process does not let others look, this is its resident memory, or 0 if it is exiting.
+    without_scratch: leave out mapped files of memory file systems. If the process does not let
+    others look, this is its resident memory, or 0 if it is exiting.
     """
-    lines = read(f"{process.place}/smaps_rollup").splitlines()
-    kib = {line.split()[0]: int(line.split()[1]) for line in lines if line.endswith(" kB")}
+    kib = _kib(f"{process.place}/smaps_rollup")
     if "Pss:" in kib:
         shared = kib.get("Pss_Shmem:", 0) if without_scratch else 0
         return (kib["Pss:"] - shared) / 1024 + tables_mib(process)
@@ -102,8 +93,13 @@ def proportional_mib(process: Process, without_scratch: bool) -> float:
 
 def tables_mib(process: Process) -> float:
     """Return the memory of a process's page tables, which can exceed the memory they map."""
-    lines = read(f"{process.place}/status").splitlines()
-    return sum(int(line.split()[1]) for line in lines if line.startswith("VmPTE:")) / 1024
+    return _kib(f"{process.place}/status").get("VmPTE:", 0) / 1024
+
+
+def _kib(path: str) -> dict[str, int]:
+    """Return the figures of a file of lines `name number kB`."""
+    lines = [line.split() for line in read(path).splitlines() if line.endswith(" kB")]
+    return {name: int(number) for name, number, _ in lines}
 
 
 def distinct(processes: Sequence[Process]) -> list[Process]:
@@ -119,4 +115,5 @@ def distinct(processes: Sequence[Process]) -> list[Process]:
 def _same_memory(one: Process, other: Process) -> bool:
     """Tell whether two processes share their memory; False if unknown. Source: kcmp(2)."""
     first, second = (int(process.place.rpartition("/")[2]) for process in (one, other))
-    return system_call(KCMP, first, second, KCMP_VM, 0, 0) == 0
+    call = KCMP.get(platform.machine(), -1)
+    return bool(LIBC.syscall(call, first, second, KCMP_VM, 0, 0) == 0)

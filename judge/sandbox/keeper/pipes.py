@@ -10,62 +10,40 @@ HEAD_BYTES, TAIL_BYTES = 4096, 4032
 BLOCK_BYTES = 1 << 16
 
 
-class Feeder:
-    """Feeds a file to a pipe. A program that was given the file itself could overwrite it."""
+class Pipes:
+    """Feeds a file to a program's standard input, and takes its output and errors.
 
-    def __init__(self, source: int, pipe: int) -> None:
-        self.fd = pipe
-        self._source = source
-        self._block = memoryview(b"")
-        self._open = True
+    stdin, stdout, stderr: our ends, non-blocking. head: what is fed before the file `source`,
+    which the program could overwrite if it was given the file itself. sink: the file that
+    receives at most `limit` bytes of the output. Of the errors, both ends are kept.
+    """
 
-    def feed(self) -> bool:
-        """Write what fits; return whether there is more. At the end, close the pipe."""
-        while True:
-            if not self._block:
-                self._block = memoryview(os.read(self._source, BLOCK_BYTES))
-            if not self._block:
-                break
-            try:
-                self._block = self._block[os.write(self.fd, self._block) :]
-            except BlockingIOError:
-                return True
-            except BrokenPipeError:  # the program has closed its input early
-                break
-        self.close()
-        return False
-
-    def close(self) -> None:
-        """Close the pipe; may be called more than once."""
-        if self._open:
-            os.close(self.fd)
-            self._open = False
-
-
-class Sink:
-    """Writes at most `limit` bytes of standard output to a file; keeps both ends of stderr."""
-
-    def __init__(self, stdout: int, stderr: int, file: int, limit: int) -> None:
-        self.open_fds = [stdout, stderr]
+    def __init__(
+        self, stdin: int, stdout: int, stderr: int, head: bytes, source: int, sink: int, limit: int
+    ) -> None:
+        self.open_fds = [stdin, stdout, stderr]
         self.written = 0
-        self._stderr_fd = stderr
-        self._head = self._tail = b""
-        self._left_out = 0  # bytes of standard error between head and tail
-        self._file = file
-        self._limit = limit
+        self._first = self._last = b""
+        self._left_out = 0  # bytes of standard error between them
+        self._stdin, self._stderr = stdin, stderr
+        self._unsent = memoryview(head)
+        self._source, self._sink, self._limit = source, sink, limit
 
     @property
     def stderr(self) -> bytes:
         """The beginning and the end of standard error: a crash may be explained at either."""
         between = b"\n... %d bytes left out ...\n" % self._left_out if self._left_out else b""
-        return self._head + between + self._tail
+        return self._first + between + self._last
 
-    def take(self, fd: int) -> bool:
-        """Read once without waiting; return whether more may come. Closes `fd` at its end."""
+    def serve(self, fd: int) -> bool:
+        """Feed what fits, or read once; at the end of a pipe, close it and return False."""
+        more = True
         try:
-            more = self._read(fd)
+            more = self._feed() if fd == self._stdin else self._take(fd)
+        except BrokenPipeError:  # the program has closed its input early
+            more = False
         except BlockingIOError:
-            return True
+            pass
         if not more:
             os.close(fd)
             self.open_fds.remove(fd)
@@ -79,28 +57,31 @@ class Sink:
         """
         for fd in self.open_fds:
             with contextlib.suppress(BlockingIOError):
-                while self._read(fd):
+                while fd != self._stdin and self._take(fd):
                     pass
             os.close(fd)
         self.open_fds.clear()
 
-    def _read(self, fd: int) -> bool:
+    def _feed(self) -> bool:
+        """Write until the end of the file. Raises BlockingIOError, BrokenPipeError."""
+        while block := self._unsent or memoryview(os.read(self._source, BLOCK_BYTES)):
+            self._unsent = block
+            self._unsent = block[os.write(self._stdin, block) :]
+        return False
+
+    def _take(self, fd: int) -> bool:
         """Read once; return False at the end of the pipe. Raises BlockingIOError."""
         block = os.read(fd, BLOCK_BYTES)
-        if fd == self._stderr_fd:
-            room = HEAD_BYTES - len(self._head)
-            self._head += block[:room]
-            rest = self._tail + block[room:]
-            self._tail = rest[-TAIL_BYTES:]
-            self._left_out += len(rest) - len(self._tail)
-        else:
-            _write_all(self._file, block[: max(0, self._limit - self.written)])
+        room = max(0, self._limit - self.written)
         self.written += len(block)
+        if fd == self._stderr:
+            room = HEAD_BYTES - len(self._first)
+            self._first += block[:room]
+            rest = self._last + block[room:]
+            self._last = rest[-TAIL_BYTES:]
+            self._left_out += len(rest) - len(self._last)
+        else:
+            rest = block[:room]
+            while rest:  # one call may write only a part
+                rest = rest[os.write(self._sink, rest) :]
         return bool(block)
-
-
-def _write_all(fd: int, block: bytes) -> None:
-    """Write a whole block; one call may write only a part of it. Raises OSError."""
-    rest = memoryview(block)
-    while rest:
-        rest = rest[os.write(fd, rest) :]

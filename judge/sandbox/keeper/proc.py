@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import os
 from pathlib import Path
 from typing import NamedTuple
 
+LIBC = ctypes.CDLL(None, use_errno=True)  # for calls that Python does not offer
 TICK_S = 1 / os.sysconf("SC_CLK_TCK")
 PAGE_MIB = os.sysconf("SC_PAGE_SIZE") / 2**20
 
@@ -28,13 +30,13 @@ def descendants() -> list[int]:
 
 def children(pid: int) -> list[int]:
     """Return the children of a process; none if it is gone."""
-    return [int(c) for t in tasks(pid) for c in read(f"/proc/{pid}/task/{t}/children").split()]
+    return [int(child) for task in tasks(pid) for child in read(f"{task}/children").split()]
 
 
 def tasks(pid: int) -> list[str]:
-    """Return the threads of a process; none if it is gone."""
+    """Return the directories of the threads of a process; none if it is gone."""
     try:
-        return [task.name for task in Path(f"/proc/{pid}/task").iterdir()]
+        return [task.path for task in os.scandir(f"/proc/{pid}/task")]
     except OSError:
         return []
 
@@ -74,14 +76,14 @@ class Process(NamedTuple):
 def look_at(pid: int) -> Process | None:
     """Return a sample of a process, None if it is gone."""
     place = f"/proc/{pid}"
-    stat = fields(place)
+    stat = memory = fields(place)
     if not stat:
         return None
-    memory = stat
     if stat[STATE] == "Z" and int(stat[THREADS]) > 1:
-        threads = ((f"{place}/task/{name}", fields(f"{place}/task/{name}")) for name in tasks(pid))
-        living = [(p, f) for p, f in threads if f and f[STATE] not in ENDED]
-        place, memory = living[-1] if living else (place, stat)
+        for task in tasks(pid):
+            of_task = fields(task)
+            if of_task and of_task[STATE] not in ENDED:
+                place, memory = task, of_task
     return Process(
         pid,
         stat[STARTED],

@@ -16,10 +16,6 @@ def remove(directory: str | os.PathLike[str]) -> None:
     with contextlib.suppress(RecursionError):
         shutil.rmtree(directory, ignore_errors=True)
     if os.path.lexists(directory):
-        for command in (["chmod", "-R", "u+rwx"], ["rm", "-rf"]):
-            subprocess.run(
-                [*command, "--", os.fspath(directory)],
-                env={"PATH": "/usr/bin:/bin"},
-                stderr=subprocess.DEVNULL,
-                check=False,
-            )
+        script = 'chmod -R u+rwx -- "$0"; rm -rf -- "$0"'
+        command = ("/bin/sh", "-c", script, os.fspath(directory))
+        subprocess.run(command, stderr=subprocess.DEVNULL, check=False)

@@ -1,9 +1,9 @@
 """The keeper's side of the protocol.
 
-One request per line on standard input, one reply per line on standard output, as `protocol`
-encodes them. When standard input ends, even during a run, the judge is gone: the keeper kills
-all processes and removes the scratch directory. The first reply says that the keeper is
-ready, or why the scratch directory cannot be made.
+Requests come on standard input, replies go to standard output. When standard input ends, even
+during a run, the judge is gone: the keeper kills all processes and removes the scratch directory.
+After a run that could not be made, or that has not ended, it only exits: processes left would
+count as the next program's.
 """
 
 from __future__ import annotations
@@ -13,62 +13,18 @@ import json
 import os
 import signal
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
+from judge.sandbox.facts import Facts
 from judge.sandbox.keeper.cgroup import Cgroup
-from judge.sandbox.keeper.launch import LaunchError
-from judge.sandbox.keeper.libc import LIBC
-from judge.sandbox.keeper.protocol import (
-    Facts,
-    Failure,
-    Request,
-    decode_request,
-    encode_reply,
-)
-from judge.sandbox.keeper.watch import CONTROL, JudgeGoneError, LeftError, run
+from judge.sandbox.keeper.launch import Launched, RunError, launch
+from judge.sandbox.keeper.proc import LIBC
+from judge.sandbox.keeper.protocol import Request, decode_request, encode
+from judge.sandbox.keeper.tree import Tree
+from judge.sandbox.keeper.watch import JudgeGoneError, run
 
 PR_SET_CHILD_SUBREAPER = 36
 HIGHEST_PRIORITY, NEVER_TO_BE_KILLED = "-20", "-1000"
-BLOCK_BYTES = 1 << 16
-
-
-def requests() -> Iterator[Request]:
-    """Yield the requests until standard input ends."""
-    pending = b""
-    while block := os.read(CONTROL, BLOCK_BYTES):
-        pending += block
-        while b"\n" in pending:
-            line, _, pending = pending.partition(b"\n")
-            yield decode_request(line)
-
-
-def answer(request: Request, cgroup: Cgroup) -> bool:
-    """Reply to one request with the facts, or with a Failure; return whether to go on.
-
-    A keeper with processes left would count them as the next program's.
-    """
-    reply: Facts | Failure
-    try:
-        reply = run(request, cgroup)
-    except (LaunchError, LeftError) as error:
-        reply = Failure(str(error), all_ended=isinstance(error, LaunchError))
-    except OSError as error:
-        reply = Failure(f"{error.filename or request.stdout}: {error.strerror}")
-    os.write(1, encode_reply(reply))
-    return reply.all_ended
-
-
-def make(scratch: str) -> str | None:
-    """Make the scratch directory unless another keeper has; return an error message or None."""
-    try:
-        # Root's programs run as another user, who must be able to enter but not to list it.
-        Path(scratch).mkdir(mode=0o700 if os.getuid() else 0o711)
-    except FileExistsError:
-        return None
-    except OSError as error:
-        return error.strerror or str(error)
-    return None
 
 
 def main() -> None:
@@ -83,18 +39,59 @@ def main() -> None:
         with contextlib.suppress(OSError):
             Path("/proc/self", file).write_text(value)
     scratch = sys.argv[2]
-    version, places = json.loads(sys.argv[3])
-    cgroup = Cgroup(places, version)
-    failed = make(scratch)
+    cgroup = Cgroup(json.loads(sys.argv[3]))
     try:
-        os.write(1, encode_reply(None if failed is None else Failure(failed)))
-        for request in requests():
-            if not answer(request, cgroup):
-                return  # the judge goes on with another keeper, and the scratch directory stays
+        if not serve(cgroup):
+            return  # the judge goes on with another keeper, and the scratch directory stays
     except (JudgeGoneError, BrokenPipeError):
         pass
-    cgroup.close()
+    finally:
+        cgroup.close()
     # Imported here, because an earlier import would raise the smallest measurable peak memory.
     from judge.sandbox.keeper.remove import remove
 
     remove(scratch)
+
+
+def serve(cgroup: Cgroup) -> bool:
+    """Carry out requests; return whether all were, up to the last one.
+
+    Most runs repeat the command of the one before with other files. So after two alike, the next
+    wall is built ahead, while the judge compares the output: its program waits for GO.
+    """
+    last: Request | None = None
+    ahead: Launched | None = None
+    for line in sys.stdin.buffer:
+        request = decode_request(line)
+        command = request._replace(stdin=None, stdout="")
+        if ahead and (command != last or ahead.ended):
+            discard(ahead, cgroup)
+            ahead = None
+        reply = answer(request, ahead, cgroup)
+        os.write(1, encode(reply))
+        if isinstance(reply, str) or not reply.all_ended:
+            return False
+        ahead = None
+        if request.wall and command == last:
+            with contextlib.suppress(RunError):  # the next run will tell
+                ahead = launch(command)
+        last = command
+    if ahead:
+        discard(ahead, cgroup)
+    return True
+
+
+def answer(request: Request, ahead: Launched | None, cgroup: Cgroup) -> Facts | str:
+    """Return the facts of a run, or why it could not be made. Raises JudgeGoneError."""
+    try:
+        return run(request, ahead, cgroup)
+    except RunError as error:
+        return str(error)
+    except OSError as error:
+        return f"{error.filename or request.stdout}: {error.strerror}"
+
+
+def discard(launched: Launched, cgroup: Cgroup) -> None:
+    """End a wall whose program was not needed."""
+    Tree({}, cgroup).end()
+    launched.close()

@@ -20,12 +20,10 @@ ORDERLY_END_S = 0.003  # after this time, every process is killed individually
 class Tree:
     """All processes below the keeper, which are those of the one program it runs.
 
-    cpu_s: the largest of three counts. The kernel's accounting (of reaped processes, and of live
-    ones with their reaped children) misses children that were reaped automatically. The sum over
-    all processes at their last sample misses what was used after that sample. A control group
-    misses nothing, where it counts; then no process is sampled.
-
-    scratch: see `memory.Memory`.
+    cpu_s: the largest of three counts. The kernel's accounting misses children that were reaped
+    automatically. The sum over all processes at their last sample misses what was used after it.
+    A control group misses nothing, where it counts; then no process is sampled.
+    memory_mib: the largest sample; largest_mib: of one reaped process, exact to the page.
     """
 
     def __init__(self, scratch: Mapping[str, int], cgroup: Cgroup) -> None:
@@ -33,8 +31,8 @@ class Tree:
         self._cgroup = cgroup
         self.cpu_s = 0.0
         self.memory_mib = 0.0
+        self.largest_mib = 0.0
         self.processes = 0
-        self.largest_mib = 0.0  # of one reaped process, exact to the page
         self.status: dict[int, int] = {}
         self._reaped_s = 0.0
         self._own_began_s = time.process_time()
@@ -42,40 +40,24 @@ class Tree:
 
     def sample(self, memory_limit_mib: float) -> None:
         """Sample what lives now: the control group if it tells everything, else each process."""
-        pids = self.pids()
-        self.processes = len(pids)
-        memory_mib = self._cgroup.memory_mib()
-        if memory_mib is None or not self._cgroup.counts_cpu:
-            live = [process for process in map(look_at, pids) if process is not None]
+        if self._cgroup.holds_memory and self._cgroup.counts_cpu:
+            self.processes = self._cgroup.processes()
+            memory_mib = self._cgroup.memory_mib()
+        else:
+            live = [process for process in map(look_at, descendants()) if process is not None]
+            self.processes = len(live)
+            memory_mib = self._memory.used_mib(live, memory_limit_mib)
             accounted_s = self._reaped_s + sum(each.own_s + each.waited_s for each in live)
             self._seen_s.update({process.identity: process.own_s for process in live})
             self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()))
-            if memory_mib is None:
-                memory_mib = self._memory.used_mib(live, memory_limit_mib)
-        self.memory_mib = max(self.memory_mib, memory_mib)
+        self.memory_mib = max(self.memory_mib, memory_mib, self._cgroup.memory_mib())
         self.cpu_s = max(self.cpu_s, self._counted_s())
-
-    @property
-    def listed(self) -> bool:
-        """Whether a control group lists the processes."""
-        return self._cgroup.processes() is not None
-
-    @property
-    def out_of_memory(self) -> bool:
-        """Whether the kernel killed a process because the memory was used up."""
-        return self._cgroup.out_of_memory
-
-    def pids(self) -> list[int]:
-        """Return all processes, parents first where no control group lists them."""
-        listed = self._cgroup.processes()
-        return descendants() if listed is None else listed
 
     def starved_s(self) -> float:
         """Return how long a live process was ready to run while others had the processors.
 
         The keeper's own time is left out: the program caused that work.
         """
-        # A control group does not list a process that is just ending, and may have waited for that.
         stats = [read(f"/proc/{pid}/schedstat").split() for pid in descendants()]
         ready_s = max((int(stat[1]) / 1e9 for stat in stats if stat), default=0.0)
         return ready_s - self._own_s()
@@ -83,21 +65,23 @@ class Tree:
     def end(self) -> bool:
         """Kill and reap everything; return whether no process is left, as some die slowly."""
         began = time.monotonic()
-        while self._reap():
-            waited_s = time.monotonic() - began
-            if waited_s > REAP_TIMEOUT_S:
-                break
+        while self._reap() and (waited_s := time.monotonic() - began) < REAP_TIMEOUT_S:
             if waited_s > ORDERLY_END_S:
                 # Stop them first: a stopped process cannot fork while the others are signalled.
-                signal_all(self.pids(), signal.SIGSTOP)
-                signal_all(self.pids(), signal.SIGKILL)
-            else:
-                # Behind a wall this ends everything in two steps: bubblewrap's outer process,
-                # then the first process of the namespace, and the kernel ends the rest.
+                signal_all(descendants(), signal.SIGSTOP)
+                signal_all(descendants(), signal.SIGKILL)
+            else:  # behind a wall, the kernel ends the rest
                 signal_all(children(os.getpid()), signal.SIGKILL)
             time.sleep(min(0.0002 + waited_s / 50, 0.02))
         self.cpu_s = max(self.cpu_s, self._reaped_s, self._counted_s())
         return not self._reap()
+
+    def peak_mib(self) -> float:
+        """Return the peak memory. A small program shows the keeper's peak; then samples decide."""
+        keeper_mib = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+        if self.largest_mib <= keeper_mib and self.memory_mib > 0:
+            return self.memory_mib
+        return max(self.largest_mib, self.memory_mib)
 
     def _counted_s(self) -> float:
         """Return what the control group counted, without the keeper itself, which is in it."""
@@ -108,16 +92,13 @@ class Tree:
 
     def _reap(self) -> bool:
         """Reap what has ended; return whether anything still lives."""
-        while True:
-            try:
-                pid, status, usage = os.wait4(-1, os.WNOHANG)
-            except ChildProcessError:
-                return False
-            if pid == 0:
-                return True
-            self.status[pid] = status
-            self._reaped_s += usage.ru_utime + usage.ru_stime
-            self.largest_mib = max(self.largest_mib, usage.ru_maxrss / 1024)
+        with contextlib.suppress(ChildProcessError):
+            while (ended := os.wait4(-1, os.WNOHANG))[0]:
+                pid, self.status[pid], usage = ended
+                self._reaped_s += usage.ru_utime + usage.ru_stime
+                self.largest_mib = max(self.largest_mib, usage.ru_maxrss / 1024)
+            return True
+        return False
 
 
 def signal_all(pids: list[int], number: int) -> None:
@@ -125,11 +106,3 @@ def signal_all(pids: list[int], number: int) -> None:
     for pid in pids:
         with contextlib.suppress(ProcessLookupError):
             os.kill(pid, number)
-
-
-def peak_mib(tree: Tree) -> float:
-    """Return the peak memory. A small program shows the keeper's peak; then samples decide."""
-    keeper_mib = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
-    if tree.largest_mib <= keeper_mib and tree.memory_mib > 0:
-        return tree.memory_mib
-    return max(tree.largest_mib, tree.memory_mib)

@@ -7,16 +7,16 @@ import select
 import time
 from pathlib import Path
 
+from judge.sandbox.facts import STARVED_AT_MOST_S, UNLISTED_PROCESSES, Facts, RunLimits, Stop
 from judge.sandbox.keeper.cgroup import SLACK_MIB, Cgroup
-from judge.sandbox.keeper.launch import LaunchError, launch
-from judge.sandbox.keeper.pipes import Feeder, Sink
-from judge.sandbox.keeper.protocol import UNLISTED_PROCESSES, Facts, Request, Stop
-from judge.sandbox.keeper.tree import Tree, peak_mib
+from judge.sandbox.keeper.launch import GO, Launched, RunError, launch
+from judge.sandbox.keeper.pipes import Pipes
+from judge.sandbox.keeper.protocol import Request
+from judge.sandbox.keeper.tree import Tree
 
 CONTROL = 0
 FIRST_SAMPLE_S, SAMPLE_S = 0.005, 0.02  # early samples, for short runs
 SAMPLE_GROWTH = 0.4
-STARVED_AT_MOST_S = 60.0
 WALL_PROCESSES = 3  # bubblewrap, the first process inside, the shell that starts the program
 SAMPLES_SHARE = 0.25  # of the time goes into samples, however many processes there are
 
@@ -25,76 +25,61 @@ class JudgeGoneError(Exception):
     """The judge closed its end: nobody waits for an answer."""
 
 
-class LeftError(Exception):
-    """The program itself has not ended, though it was killed."""
-
-    def __init__(self) -> None:
-        super().__init__("the program cannot be killed")
-
-
-def run(request: Request, cgroup: Cgroup) -> Facts:
+def run(request: Request, ahead: Launched | None, cgroup: Cgroup) -> Facts:
     """Run one program to its end and return the facts.
 
-    Raises LaunchError, JudgeGoneError, LeftError. After the last, or if not `all_ended`, processes
-    may be left that are still dying.
+    ahead: the program, if it was launched already and waits. Raises RunError, JudgeGoneError.
+    After the first, or if not `all_ended`, processes may be left that are still dying.
     """
+    limits = request.limits
     tree = Tree(request.wall.scratch if request.wall else {}, cgroup)
-    cgroup.begin(request.memory_mib, request.processes + WALL_PROCESSES)
+    cgroup.begin(limits.memory_mib, limits.processes + WALL_PROCESSES)
     source_path, out_path = Path(request.stdin or os.devnull), Path(request.stdout)
     with source_path.open("rb") as source, out_path.open("wb") as out:
+        launched = ahead or launch(request)
         started = time.monotonic()
-        launched = launch(request)
-        pid = launched.pid
-        feeder = Feeder(source.fileno(), launched.stdin)
-        sink = Sink(launched.stdout, launched.stderr, out.fileno(), request.output_bytes)
+        head = GO if request.wall else b""
+        pipes = Pipes(*launched.pipes, head, source.fileno(), out.fileno(), limits.output_bytes)
         try:
-            stopped = watch(pid, feeder, sink, tree, started, request)
+            stopped = watch(launched.pid, pipes, tree, started, limits, cgroup)
         finally:
-            if tree.listed:  # what its children hold when it ends counts, and is told at once
-                tree.sample(request.memory_mib)
+            if cgroup.holds_memory:  # what its children hold at the end counts
+                tree.sample(limits.memory_mib)
             all_ended = tree.end()
-            feeder.close()
-        if stopped in (None, Stop.MEMORY) and tree.out_of_memory:
+        if stopped in (None, Stop.MEMORY) and cgroup.out_of_memory:
             stopped = Stop.MEMORY
-            tree.memory_mib = max(tree.memory_mib, request.memory_mib + SLACK_MIB)
+            tree.memory_mib = max(tree.memory_mib, limits.memory_mib + SLACK_MIB)
         elapsed_s = time.monotonic() - started
-        sink.drain()
-    wall_stands = os.read(launched.wall_stands, 1) if request.wall else b"none was asked for"
-    os.close(launched.wall_stands)
-    if not wall_stands:
-        raise LaunchError(f"the wall cannot be built: {sink.stderr.decode('latin-1').strip()}")
-    if pid not in tree.status:
-        raise LeftError
-    status = tree.status[pid]
-    if request.wall and stopped is None and os.WIFSIGNALED(status):
+        pipes.drain()
+    if launched.pid not in tree.status:
+        raise RunError("the program cannot be killed")
+    status = tree.status[launched.pid]
+    if stopped is None and request.wall and os.WIFSIGNALED(status):
         # This is bubblewrap's own process, which the program cannot reach.
-        raise LaunchError(f"the wall was ended by signal {os.WTERMSIG(status)}")
+        raise RunError(f"the wall was ended by signal {os.WTERMSIG(status)}")
     return Facts(
         exit_status=os.WEXITSTATUS(status) if os.WIFEXITED(status) else None,
         signal=os.WTERMSIG(status) if os.WIFSIGNALED(status) else None,
         cpu_s=tree.cpu_s,
         elapsed_s=elapsed_s,
-        memory_mib=peak_mib(tree),
-        output_bytes=sink.written,
+        memory_mib=tree.peak_mib(),
+        output_bytes=pipes.written,
         stopped=stopped,
-        stderr=sink.stderr,
+        stderr=pipes.stderr,
         all_ended=all_ended,
     )
 
 
 def watch(
-    pid: int, feeder: Feeder, sink: Sink, tree: Tree, started: float, request: Request
+    pid: int, pipes: Pipes, tree: Tree, started: float, limits: RunLimits, cgroup: Cgroup
 ) -> Stop | None:
     """Serve the pipes until the program ends (return None) or passes a limit (return which)."""
     pidfd = os.pidfd_open(pid)
     poll = select.poll()
-    poll.register(pidfd, select.POLLIN)
-    poll.register(CONTROL, select.POLLIN)
-    for fd in sink.open_fds:
-        poll.register(fd, select.POLLIN)
-    poll.register(feeder.fd, select.POLLOUT)
-    most_processes = request.processes
-    if not tree.listed:
+    for fd in (pidfd, CONTROL, *pipes.open_fds):
+        poll.register(fd, select.POLLIN | select.POLLOUT)
+    most_processes = limits.processes
+    if not cgroup.holds_memory:
         most_processes = min(most_processes, UNLISTED_PROCESSES)
     next_sample = started + FIRST_SAMPLE_S
     try:
@@ -105,25 +90,24 @@ def watch(
                     raise JudgeGoneError
                 if fd == pidfd:
                     return None
-                more = feeder.feed() if fd == feeder.fd else sink.take(fd)
-                if not more:
+                if not pipes.serve(fd):
                     poll.unregister(fd)
-            if sink.written > request.output_bytes:
+            if pipes.written > limits.output_bytes:
                 return Stop.OUTPUT
             now = time.monotonic()
             if now < next_sample:
                 continue
             growing_s = max(FIRST_SAMPLE_S, SAMPLE_GROWTH * (now - started))
-            tree.sample(request.memory_mib)
+            tree.sample(limits.memory_mib)
             slow_s = (time.monotonic() - now) / SAMPLES_SHARE
             next_sample = now + max(slow_s, min(growing_s, SAMPLE_S))
-            if tree.memory_mib > request.memory_mib or tree.out_of_memory:
+            if tree.memory_mib > limits.memory_mib or cgroup.out_of_memory:
                 return Stop.MEMORY
             if tree.processes > most_processes:
                 return Stop.PROCESSES
-            if tree.cpu_s > request.kill_cpu_s:
+            if tree.cpu_s > limits.kill_cpu_s:
                 return Stop.CPU
-            waited_s = now - started - request.kill_elapsed_s
+            waited_s = now - started - limits.kill_elapsed_s
             if waited_s > 0 and waited_s > min(tree.starved_s(), STARVED_AT_MOST_S):
                 return Stop.ELAPSED
     finally:
