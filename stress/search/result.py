@@ -26,19 +26,19 @@ def counterexample(
     ProgramError, OSError.
     """
     content = render(trial.scenarios)
-    expected = agreed(content, trial.scenarios).decode().split()[-1]
-    last = trial.scenarios[-1]
-    picture = explain_picture(last, answer=expected, found=found)
+    expected = agreed(content, trial.scenarios).decode().split()
+    answer, scenario = expected[trial.index], trial.scenarios[trial.index]
+    picture = explain_picture(scenario, answer=answer, found=found)
     file = keep(content)
     write_whole(file.with_suffix(".svg"), picture.encode())
     return Counterexample(
         input=content.decode(),
-        expected=expected,
+        expected=answer,
         found=found,
         scenarios=len(trial.scenarios),
-        obstacles=len(last.obstacles),
-        vertices=last.vertices,
-        sentence=sentence(last),
+        obstacles=len(scenario.obstacles),
+        vertices=scenario.vertices,
+        sentence=sentence(scenario),
         picture=picture,
         file=file,
         seconds=seconds,

@@ -31,6 +31,7 @@ ONLY_SIZE = "no small input makes it slow: it is right, but its time grows too f
 ONLY_LIMIT = "it is slow on the smallest input that was found, but not beyond the time limit"
 CHANGES = "its answers to the same input change from run to run"
 DEPENDS = "its answer to a scenario depends on the scenarios before it"
+DEPENDS_ON_FILE = "its answer to a scenario depends on the other scenarios of the file"
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +96,7 @@ def _shrunk(
     try:
         say("looking for the scenario that fails")
         start = culprit(user, failed)
-        shrunk = _smallest(user, start.trial, seed, say)
+        shrunk = _smallest(user, start, seed, say)
     except UnsteadyError:
         chancy = unsteady(user, failed)
         if chancy is None:
@@ -110,7 +111,8 @@ def _shrunk(
         if trial.verdict is not Verdict.TLE:
             return ONLY_LIMIT
     if len(trial.scenarios) > 1:
-        steps.append(DEPENDS)
+        last_fails = trial.index == len(trial.scenarios) - 1
+        steps.append(DEPENDS if last_fails else DEPENDS_ON_FILE)
     if not shrunk.complete:
         steps.append("the search was ended: there may be a smaller one")
     return counterexample(trial, trial.found, time.perf_counter() - began, tuple(steps))

@@ -1,4 +1,4 @@
-"""Shrinks a sequence of scenarios, the last of which fails only after those before it."""
+"""Shrinks a file of several scenarios, none of which fails alone."""
 
 from __future__ import annotations
 
@@ -70,7 +70,9 @@ def _first(
 
 
 def _shorter(scenarios: Sequence[Scenario]) -> Iterator[list[Scenario]]:
-    """Yield shorter sequences: of two simple scenarios; each with the last; parts of all."""
+    """Yield shorter sequences: of simple scenarios; each with the last; parts of all."""
+    if len(scenarios) > 1:
+        yield from ([one] for one in SIMPLE)
     if len(scenarios) > 2:
         yield from map(list, product(SIMPLE, repeat=2))
         for index in range(len(scenarios) - 2, max(-1, len(scenarios) - 8), -1):

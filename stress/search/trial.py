@@ -29,8 +29,8 @@ class Trial:
     """What became of one file.
 
     verdict: AC, WA, or how the run failed. in_step: it printed one word per scenario. wrong: the
-    indices of the wrong answers, if it is in step. found: what it printed for the last
-    scenario, or how it ended, in words. cpu_s: CPU seconds of the run.
+    indices of the wrong answers, if it is in step. found: the first wrong answer, or in words
+    what it printed, or how it ended.
     """
 
     scenarios: tuple[Scenario, ...]
@@ -38,7 +38,11 @@ class Trial:
     in_step: bool
     wrong: tuple[int, ...]
     found: str
-    cpu_s: float
+
+    @property
+    def index(self) -> int:
+        """Of the first scenario that is answered wrongly; of the last if it is not in step."""
+        return self.wrong[0] if self.wrong else len(self.scenarios) - 1
 
     @property
     def failed(self) -> bool:
@@ -119,18 +123,19 @@ def shortest_failing_prefix(subject: Subject, file: File) -> Trial | None:
 
 
 def _trial(attempt: Attempt, scenarios: tuple[Scenario, ...]) -> Trial:
-    verdict, cpu_s = attempt.judgement.verdict, attempt.facts.cpu_s
+    verdict = attempt.judgement.verdict
     if verdict is not Verdict.AC:
         found = f"{NAMES.get(verdict, str(verdict))}: {attempt.judgement.message}"
-        return Trial(scenarios, verdict, False, (), found, cpu_s)
+        return Trial(scenarios, verdict, False, (), found)
     words = attempt.output.split()
     if len(words) != len(scenarios):
-        return Trial(scenarios, Verdict.WA, False, (), _out_of_step(words, len(scenarios)), cpu_s)
+        return Trial(scenarios, Verdict.WA, False, (), _out_of_step(words, len(scenarios)))
     right = " ".join(answers(scenarios)).lower().encode().split()
     pairs = zip(attempt.output.lower().split(), right, strict=True)
     wrong = tuple(index for index, (word, answer) in enumerate(pairs) if word != answer)
     verdict = Verdict.WA if wrong else Verdict.AC
-    return Trial(scenarios, verdict, True, wrong, printable(words[-1]) if words else "", cpu_s)
+    found = printable(words[wrong[0]]) if wrong else ""
+    return Trial(scenarios, verdict, True, wrong, found)
 
 
 def _out_of_step(words: list[bytes], scenarios: int) -> str:

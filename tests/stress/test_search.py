@@ -211,3 +211,21 @@ def test_answers_that_change_are_told():
     found = found_by(coin)
     assert CHANGES in found.steps
     assert "runs)" in found.found
+
+
+def test_answers_that_depend_on_how_many_scenarios_there_are_do_not_change_from_run_to_run():
+    def by_count(scenarios):
+        return [answer(s) if len(scenarios) % 2 else "YES" for s in scenarios]
+
+    found = found_by(by_count)
+    assert found.scenarios == 2
+    assert CHANGES not in found.steps
+
+    def three_or_more(scenarios):
+        free = len(scenarios) > 2
+        return ["YES" if free else answer(s) for s in scenarios]
+
+    found = found_by(three_or_more)
+    assert found.scenarios == 3
+    assert searching.DEPENDS_ON_FILE in found.steps
+    assert (found.expected, found.found) == ("NO", "YES")

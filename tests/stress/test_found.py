@@ -1,0 +1,88 @@
+"""What becomes of a counterexample: the command prints it, --add puts it into the data."""
+
+import pytest
+
+from gen.scenario import Scenario, render
+from judge.kit.paths import SUBMISSIONS
+from stress import cli
+from stress.search import result
+from stress.search.add import AddError, add_to_data, fitting_group
+
+TRIANGLE = [(0, 0), (1, 0), (0, 1)]
+MANY = [(x, x * x) for x in range(2_001)]
+
+
+@pytest.fixture(autouse=True)
+def _kept_elsewhere(tmp_path, monkeypatch):
+    monkeypatch.setattr(result, "COUNTEREXAMPLES", tmp_path / "kept")
+
+
+@pytest.fixture
+def file(tmp_path):
+    def write(*scenarios):
+        path = tmp_path / "shrunk-012345.in"
+        path.write_bytes(render(scenarios))
+        return path
+
+    return write
+
+
+def test_the_command_prints_what_it_finds_and_exits_with_1(tmp_path, capsys):
+    program = tmp_path / "my.py"
+    program.write_bytes((SUBMISSIONS / "wrong_answer" / "standing_still_is_free.py").read_bytes())
+    assert cli.main([str(program), "--seed", "7", "--no-wall"]) == 1
+    printed = capsys.readouterr().out
+    (kept,) = (tmp_path / "kept").glob("*.in")
+    assert kept.read_text() in printed
+    assert "expected NO, found YES" in printed
+    assert "seed 7" in printed
+
+
+def test_the_command_tells_how_much_a_right_program_answered(tmp_path, capsys):
+    program = tmp_path / "all"
+    program.write_text("import sys\n")
+    assert cli.main([str(SUBMISSIONS.parent / "solution.py"), "--seconds", "1"]) == 0
+    assert "scenarios answered correctly (seed " in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ("none.cpp", "none.cpp: no such file"),
+        ("my.py --group small", "argument --group: expected --add, too"),
+        ("my.py --seconds 0", "--seconds: expected 1 to 86400, found '0'"),
+    ],
+)
+def test_nonsense_is_refused_in_one_line(arguments, message, capsys):
+    assert cli.main(arguments.split()) == 2
+    assert capsys.readouterr().err.endswith(f"{message}\n")
+
+
+def test_a_counterexample_is_added_once_to_the_first_group_that_fits(file, tmp_path):
+    data = tmp_path / "data"
+    data.mkdir()
+    found = file(Scenario(TRIANGLE, (0, 0), [TRIANGLE]))
+    said = add_to_data(found, data=data)
+    assert said == "added to the data: secret/static/shrunk-012345: 0 YES, 1 NO"
+    assert (data / "secret/static/shrunk-012345.in").read_bytes() == found.read_bytes()
+    assert (data / "secret/static/shrunk-012345.ans").read_text() == "NO\n"
+    assert "secret/static/shrunk-012345" in (data / "manifest.json").read_text()
+    again = add_to_data(found, data=data)
+    assert again == "in the data already: secret/static/shrunk-012345"
+    assert add_to_data(found, "small", data=data) == again
+
+
+def test_which_group_fits(file):
+    assert fitting_group(file(Scenario(TRIANGLE, (1, 0), []))) == "small"
+    assert fitting_group(file(Scenario(MANY, (0, 0), [TRIANGLE]))) == "large"
+    found = file(Scenario(TRIANGLE, (0, 0), []))
+    found.write_text("1\n")
+    with pytest.raises(AddError, match="expected an input that fits a group"):
+        fitting_group(found)
+
+
+def test_what_gen_refuses_is_not_added(file, tmp_path, capsys):
+    found = file(Scenario(TRIANGLE, (1, 0), []))
+    with pytest.raises(AddError, match="was not added to the group static"):
+        add_to_data(found, "static", data=tmp_path)
+    assert "expected 0 0 in this group" in capsys.readouterr().err
