@@ -129,7 +129,7 @@ def summary(rows: Sequence[Row]) -> str:
     text = (
         f"Of {len(rows)} submissions, {len(few)} have a counterexample with at most {VERTICES[1]} "
         f"vertices ({VERTICES[2]} if it needs two obstacles); in {small} of these, all numbers are "
-        f"below {COORDINATE}. The others fail only on large polygons, or for large numbers."
+        f"below {COORDINATE}. For the others, nothing smaller was found."
     )
     for language, suffix in (("C++", ".cpp"), ("Python", ".py")):
         seconds = [

@@ -1,9 +1,13 @@
 """What becomes of a counterexample: the command prints it, --add puts it into the data."""
 
+import subprocess
+import sys
+
 import pytest
 
 from gen.scenario import Scenario, render
-from judge.kit.paths import SUBMISSIONS
+from judge.kit.paths import ROOT, SUBMISSIONS
+from judge.kit.trusted import run_trusted
 from stress import cli
 from stress.search import result
 from stress.search.add import AddError, add_to_data, fitting_group
@@ -43,6 +47,22 @@ def test_the_command_tells_how_much_a_right_program_answered(tmp_path, capsys):
     program.write_text("import sys\n")
     assert cli.main([str(SUBMISSIONS.parent / "solution.py"), "--seconds", "1"]) == 0
     assert "scenarios answered correctly (seed " in capsys.readouterr().out
+
+
+def test_the_checker_explains_and_a_judging_without_that_does_not_load_the_search():
+    program = SUBMISSIONS / "wrong_answer" / "strict_touch.py"
+    arguments = ["--group", "sample", "--explain", "--seed", "3"]
+    run = subprocess.run(
+        [sys.executable, ROOT / "checker.py", program, *arguments],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 1
+    assert "a smallest input that it gets wrong (1 obstacle, 6 vertices):" in run.stdout
+    assert "seed 3" in run.stdout
+    loads = "import sys, stress.front; print(*[m for m in sys.modules if m[:3] in ('gen', 'pic')])"
+    assert run_trusted("python", (sys.executable, "-c", loads)).split() == []
 
 
 @pytest.mark.parametrize(
