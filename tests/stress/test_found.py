@@ -61,7 +61,7 @@ def test_the_checker_explains_and_a_judging_without_that_does_not_load_the_searc
     assert run.returncode == 1
     assert "a smallest input that it gets wrong (1 obstacle, 6 vertices):" in run.stdout
     assert "seed 3" in run.stdout
-    loads = "import sys, stress.front; print(*[m for m in sys.modules if m[:3] in ('gen', 'pic')])"
+    loads = "import sys, stress.front; print(*[m for m in sys.modules if m.startswith(('gen.', 'pictures.'))])"
     assert run_trusted("python", (sys.executable, "-c", loads)).split() == []
 
 
