@@ -61,7 +61,8 @@ def test_the_checker_explains_and_a_judging_without_that_does_not_load_the_searc
     assert run.returncode == 1
     assert "a smallest input that it gets wrong (1 obstacle, 6 vertices):" in run.stdout
     assert "seed 3" in run.stdout
-    loads = "import sys, stress.front; print(*[m for m in sys.modules if m.startswith(('gen.', 'pictures.'))])"
+    shown = "print(*[name for name in sys.modules if name.startswith(('gen.', 'pictures.'))])"
+    loads = f"import sys, stress.front; {shown}"
     assert run_trusted("python", (sys.executable, "-c", loads)).split() == []
 
 
