@@ -127,6 +127,8 @@ def distance(squared: Fraction) -> str:
     above = str(top_root) if top_is_square else f"√{top}"
     below = str(bottom_root) if bottom_is_square else f"√{bottom}"
     exact = above if bottom == 1 else f"{above}/{below}"
+    if not top_is_square and not bottom_is_square:
+        exact = f"√({squared})"
     if top_is_square and bottom_is_square:
         return exact
     return f"{exact} ≈ {approximate_root(squared)}"

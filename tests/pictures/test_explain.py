@@ -187,3 +187,12 @@ def test_the_samples_and_the_small_files():
             svg = explain_picture(scenario, title=file.name)
             assert len(svg.encode()) < BUDGET
             assert f"answer {answer}" in words(svg)
+
+
+@pytest.mark.slow
+def test_the_largest_files():
+    for file in [*DATA.glob("secret/large/*.in"), *DATA.glob("secret/many/*.in")]:
+        answer = file.with_suffix(".ans").read_text().split()[0]
+        svg = explain_picture(read_scenarios(file)[0], title=file.name)
+        assert len(svg.encode()) < BUDGET
+        assert f"answer {answer}" in words(svg)
