@@ -50,15 +50,21 @@ def shrink(
         say(f"shrinking: {counted(size[0], 'obstacle')}, {size[1]} vertices, up to {size[2]}")
         found = _next(subject, scenario, best.verdict, rng, budget, rejected)
         if found is None:
+            _fails_again(subject, best)
             return Shrunk(best, not budget.is_spent)
         trial = subject.trial([found])
         if trial.verdict is best.verdict:
             best = trial
             continue
         rejected.add(numbers_of(found))
-        if subject.trial(best.scenarios).verdict is not best.verdict:
-            raise UnsteadyError
+        _fails_again(subject, best)
     return Shrunk(best, complete=False)
+
+
+def _fails_again(subject: Subject, best: Trial) -> None:
+    """Raise UnsteadyError unless what failed before still does."""
+    if subject.trial(best.scenarios).verdict is not best.verdict:
+        raise UnsteadyError
 
 
 def _next(

@@ -213,6 +213,33 @@ def test_answers_that_change_are_told():
     assert "runs)" in found.found
 
 
+def test_a_program_that_becomes_right_meanwhile_has_no_counterexample():
+    runs = 0
+
+    def recovers(scenarios):
+        nonlocal runs
+        runs += 1
+        return ["YES" if runs < 8 else answer(s) for s in scenarios]
+
+    outcome = searched(recovers)
+    assert (outcome.counterexample, outcome.failed, outcome.remark) == (None, True, CHANGES)
+
+
+def test_what_is_slow_only_for_the_limit_of_the_search_is_not_shown():
+    def attempts(contents: Iterable[bytes], limits: RunLimits) -> Iterator[Attempt]:
+        for content in contents:
+            scenarios = parse(content)
+            over = any(s.move == (1, 1) for s in scenarios) and (
+                limits != LIMITS or len(scenarios) > 50
+            )
+            judgement = Judgement(Verdict.TLE if over else Verdict.AC)
+            yield Attempt(ENDED_WELL, "\n".join(map(answer, scenarios)).encode(), judgement)
+
+    outcome = search(Subject(attempts, LIMITS), [], seed=1, drawing_s=0.2)
+    assert (outcome.counterexample, outcome.failed) == (None, True)
+    assert outcome.remark == searching.ONLY_LIMIT
+
+
 def test_answers_that_depend_on_how_many_scenarios_there_are_do_not_change_from_run_to_run():
     def by_count(scenarios):
         return [answer(s) if len(scenarios) % 2 else "YES" for s in scenarios]
