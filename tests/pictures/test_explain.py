@@ -55,7 +55,7 @@ def test_a_contact():
     assert "contact at (8, 4)" in said
     assert "the origin is on its boundary" in said
     assert "robot at t = 2/5" in said
-    assert "touches the corner (8, 4) of obstacle 1." in said
+    assert "that started at (4, 4) touches the corner (8, 4)" in said
     assert marks(svg, "hit") == 3  # in the scene, magnified, and the origin
     assert marks(svg, "gap") == 0
 

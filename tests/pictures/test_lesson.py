@@ -2,6 +2,8 @@
 
 import re
 
+from judge.diagnosis.gallery import load_gallery
+from judge.diagnosis.ranking import wrong_scenes
 from judge.kit.paths import ROOT, SUBMISSIONS
 from pictures.cli import FIGURES
 from pictures.lesson import lesson_figures
@@ -35,3 +37,21 @@ def test_every_wrong_submission_is_a_usual_mistake():
     wrong = {path.name for path in (SUBMISSIONS / "wrong_answer").iterdir() if path.is_file()}
     assert len(named) == len(set(named))
     assert set(named) == wrong - NO_MISTAKES
+
+
+def test_the_scene_of_a_mistake_is_one_that_its_program_answers_wrongly():
+    gallery = load_gallery()
+    names = [scene.name for scene in gallery.scenes]
+    rows = re.findall(
+        r"^\| .+ \| (.+) \| \[(.+)\]\(.*#gallery=(.+)\) \|$", LESSON.read_text(), re.M
+    )
+    assert len(rows) > 25
+    for programs, shown, name in rows:
+        assert shown == name
+        known = [
+            gallery.known[f"wrong_answer/{program}"]
+            for program in re.findall(r"`(.+?)`", programs)
+            if f"wrong_answer/{program}" in gallery.known
+        ]
+        wrong = [names.index(name) in wrong_scenes(gallery, answers) for answers in known]
+        assert any(wrong) or not wrong, f"{name}: none of {programs} answers it wrongly"
