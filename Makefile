@@ -8,7 +8,7 @@ RUN := .venv/bin/python
 
 .DEFAULT_GOAL := help
 .PHONY: help setup data judge test test-all case figures stress strength mutants gallery worlds calibrate \
-  check schema lint format types clean
+  explorer check schema lint format types clean
 
 help: ## list these commands
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | column -t -s '|' 2>/dev/null \
@@ -44,6 +44,9 @@ case: .venv/.ready ## add a test case: make case FAMILY=contacts [SEED=7] [GROUP
 figures: .venv/.ready ## redraw the figures of the statement
 	@$(RUN) -m pictures figures
 
+explorer: .venv/.ready ## build the page to play with, docs/explorer.html
+	@$(RUN) -m explorer
+
 stress: .venv/.ready ## compare the solvers on 10^6 random scenarios and a complete small world
 	@$(RUN) -m stress all
 
@@ -57,7 +60,7 @@ mutants: data ## make small changes to correct programs and check that the data 
 	@$(RUN) -m strength mutants
 
 gallery: .venv/.ready ## ask all wrong programs for their answers to the gallery; is each told its lesson?
-	@$(RUN) -m strength gallery
+	@$(RUN) -m strength gallery && $(RUN) -m explorer
 
 calibrate: data ## measure the margins of the time limit
 	@$(RUN) -m judge.calibrate

@@ -4,20 +4,21 @@ Seconds differ from machine to machine and from minute to minute; the ratio to r
 same file in the same run hardly does. Each file is read by a bare
 `list(map(int, sys.stdin.buffer.read().split()))` and then solved. The ratio of the CPU
 seconds is taken for each such pair of runs, and the median ratio is printed.
+
+`python -m bench growth` measures how the time of three methods grows with the input.
 """
 
 from __future__ import annotations
 
 import argparse
-import os
 import statistics
-import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from bench import growth
+from bench.measure import cpu_s
 from judge.kit.command import run, whole_number
-from judge.kit.errors import KitError
 from judge.kit.paths import REFERENCE
 from judge.kit.store import Store
 from judge.kit.trusted import python_command
@@ -25,15 +26,14 @@ from judge.problem.data import load_data
 from judge.problem.declaration import load
 
 READER = (sys.executable, "-c", "import sys; list(map(int, sys.stdin.buffer.read().split()))")
+GROWTH = "growth"
 MEASURED = 0
-
-
-class BenchError(KitError):
-    """A program that is measured failed."""
 
 
 def main(arguments: Sequence[str]) -> int:
     """Run the command line; return the exit status: 0 measured, 2 nothing to measure."""
+    if arguments[:1] == [GROWTH]:
+        return growth.main(arguments[1:])
     return run("bench", lambda: _measure(_options(arguments)))
 
 
@@ -75,14 +75,3 @@ def _measure(options: argparse.Namespace) -> int:
         ratio = statistics.median(solve / read for read, solve in pairs)
         print(f"{case.name:42} {read_s:8.3f} {solve_s:8.3f} {ratio:6.2f}", flush=True)
     return MEASURED
-
-
-def cpu_s(command: Sequence[str], file: Path) -> float:
-    """Run a command with the file as its input; return its CPU seconds. Raises BenchError."""
-    with file.open("rb") as stdin:
-        process = subprocess.Popen(command, stdin=stdin, stdout=subprocess.DEVNULL)
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode:
-        raise BenchError(f"{command[-1]}: exit status {process.returncode} on {file}")
-    return usage.ru_utime + usage.ru_stime

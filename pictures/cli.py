@@ -11,6 +11,7 @@ from judge.kit.files import check_place, write_report, write_whole
 from judge.kit.paths import DATA, ROOT
 from pictures.draw import picture
 from pictures.explain import explain_picture
+from pictures.lesson import lesson_figures
 from pictures.read import ReadError, read_scenarios
 
 FIGURES = ROOT / "docs" / "figures"
@@ -32,7 +33,9 @@ def main(arguments: Sequence[str]) -> int:
 def _options(arguments: Sequence[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m pictures", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
-    figures = commands.add_parser("figures", help="draw the statement's figures, from the samples")
+    figures = commands.add_parser(
+        "figures", help="draw the figures of the statement and the lesson"
+    )
     figures.add_argument("--check", action="store_true", help="only tell whether they are current")
     show = commands.add_parser("show", help="print the picture of one scenario as SVG")
     show.add_argument("file", type=Path, help="an input file")
@@ -62,9 +65,10 @@ def draw_figures(*, check: bool) -> int:
 
     Return the exit status.
     """
+    lesson = {FIGURES / name: svg for name, svg in lesson_figures().items()}
     stale = {
         path: svg
-        for path, svg in sample_figures().items()
+        for path, svg in (sample_figures() | lesson).items()
         if not path.exists() or path.read_text() != svg
     }
     for path, svg in stale.items():

@@ -20,16 +20,29 @@ class Source(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Edge:
-    """An edge of a sum: where it begins, how far it goes, and where it comes from."""
+    """An edge of a sum: where it begins, how far it goes, and where it comes from.
+
+    joint: where the first polygon's part ends and the second's begins, if it comes from BOTH.
+    """
 
     start: Point
     way: Point
     source: Source
+    joint: Point | None = None
 
     @property
     def end(self) -> Point:
         """Where the edge ends."""
         return self.start[0] + self.way[0], self.start[1] + self.way[1]
+
+    def parts(self) -> list[tuple[Source, list[Point]]]:
+        """Return the parts, each from one polygon, as lines [start, end]."""
+        if self.joint is None:
+            return [(self.source, [self.start, self.end])]
+        return [
+            (Source.FIRST, [self.start, self.joint]),
+            (Source.SECOND, [self.joint, self.end]),
+        ]
 
 
 def ways(polygon: Polygon) -> list[Point]:
@@ -56,15 +69,16 @@ def merged(first: Polygon, second: Polygon) -> Iterator[Edge]:
     i = j = 0
     while i < len(ours) or j < len(theirs):
         turn = _turn(ours, i, theirs, j)
-        way, source = (0, 0), Source.BOTH
-        if turn >= 0:
-            way, source = ours[i], Source.FIRST
-            i += 1
-        if turn <= 0:
-            way, source = (way[0] + theirs[j][0], way[1] + theirs[j][1]), Source.SECOND
-            j += 1
-        yield Edge((x, y), way, source if turn else Source.BOTH)
-        x, y = x + way[0], y + way[1]
+        if turn > 0:
+            edge = Edge((x, y), ours[i], Source.FIRST)
+        elif turn < 0:
+            edge = Edge((x, y), theirs[j], Source.SECOND)
+        else:
+            (ux, uy), (vx, vy) = ours[i], theirs[j]
+            edge = Edge((x, y), (ux + vx, uy + vy), Source.BOTH, (x + ux, y + uy))
+        yield edge
+        i, j = i + (turn >= 0), j + (turn <= 0)
+        x, y = edge.end
 
 
 def _turn(ours: list[Point], i: int, theirs: list[Point], j: int) -> int:

@@ -19,8 +19,8 @@ def sentence(scenario: Scenario) -> str:
 
     Obstacles are counted from 1. The robot's corners are named by where they are at the start.
 
-    >>> sentence(Scenario([(0, 0), (1, 0), (0, 1)], (6, 0), [[(3, 0), (5, 0), (5, 9)]]))
-    "At t = 1/3 of the move, the robot's corner (1, 0) touches the corner (3, 0) of obstacle 1."
+    >>> sentence(Scenario([(0, 0), (1, 0), (0, 1)], (0, 0), [[(1, 0), (5, 0), (5, 9)]]))
+    'The robot does not move, and its corner (1, 0) touches the corner (1, 0) of obstacle 1.'
     """
     return tell(scenario, decisive(scenario))
 
@@ -56,6 +56,8 @@ def _contact(scenario: Scenario, contact: Contact) -> str:
         its += f", at the point {place(contact.point)}"
     if scenario.move == (0, 0):
         return f"The robot does not move, and its {robot} touches {its}."
+    if contact.time > 0:
+        robot = part(contact.robot, "that started at ")
     return f"{_when(contact.time)}, the robot's {robot} touches {its}."
 
 
@@ -84,9 +86,10 @@ def _when(time: Fraction) -> str:
     return f"At t {equals(time)} of the move"
 
 
-def part(feature: Feature) -> str:
-    """Return `corner (1, 2)` or `edge (1, 2)–(3, 4)`."""
-    return f"{'corner' if len(feature) == 1 else 'edge'} " + "–".join(map(place, feature))
+def part(feature: Feature, before: str = "") -> str:
+    """Return `corner (1, 2)` or `edge (1, 2)–(3, 4)`, with some words before the places."""
+    name = "corner" if len(feature) == 1 else "edge"
+    return f"{name} {before}{'–'.join(map(place, feature))}"
 
 
 def place(point: Point | ExactPoint) -> str:
@@ -127,6 +130,8 @@ def distance(squared: Fraction) -> str:
     above = str(top_root) if top_is_square else f"√{top}"
     below = str(bottom_root) if bottom_is_square else f"√{bottom}"
     exact = above if bottom == 1 else f"{above}/{below}"
+    if not top_is_square and not bottom_is_square:
+        exact = f"√({squared})"
     if top_is_square and bottom_is_square:
         return exact
     return f"{exact} ≈ {approximate_root(squared)}"

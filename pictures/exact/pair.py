@@ -111,7 +111,7 @@ def _entry(
 def gap(robot: Extremes, obstacle: Extremes, move: Point, most: Fraction | None) -> Gap | None:
     """Return how near the robot comes to an obstacle; 0 if it touches.
 
-    None: certainly farther than the square root of `most`. Exact. A handful of steps of
+    None: at least as far as the square root of `most`. Exact. A handful of steps of
     O(log m + log n). Source: Gilbert, Johnson, Keerthi, A fast procedure for computing the
     distance between complex objects (1988).
     """
@@ -130,7 +130,7 @@ def gap(robot: Extremes, obstacle: Extremes, move: Point, most: Fraction | None)
         if wx * dx + wy * dy > 0:  # the robot is nearer at the end of the move
             cx, cy = cx - dx, cy - dy
         least = wx * cx + wy * cy
-        if least > 0 and whole and least * least * whole > limit * length:
+        if least > 0 and whole and least * least * whole >= limit * length:
             return None
         if least == level:
             return Gap(Fraction(least * least, length), (wx, wy))

@@ -62,7 +62,7 @@ class _Search:
         if not self._touched:
             most = Fraction(*self._squared) if best else None
             near = gap(self._extremes, extremes, self.move, most)
-            if near is None or near.squared == most:
+            if near is None:
                 return
             if near.squared > 0:
                 self.best = Found(index, near)
@@ -95,7 +95,7 @@ class _Search:
         x = a - right if a > right else left - c if c < left else 0
         y = b - top if b > top else bottom - d if d < bottom else 0
         most, whole = self._squared
-        if (x * x + y * y) * whole > most:
+        if (x or y) and (x * x + y * y) * whole >= most:
             return True
         self._seen_near += 1
         return self._seen_near > SIEVE_FROM and self._sieve.is_far(obstacle, self._squared)

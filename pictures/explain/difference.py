@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from fractions import Fraction
+from collections.abc import Iterable, Sequence
 from itertools import groupby
 from operator import itemgetter
 
 import drawsvg
 
-from gen.geometry import cross
+from gen.geometry import Point, cross
 from pictures.explain.matter import Matter
 from pictures.explain.scene import mark
 from pictures.explain.view import Area, Number, View, axes, frame, framing
 from pictures.minkowski import Edge, Source, merged, reflected
 from pictures.moment import Contact
 
-_LOOKS = {"robot": "of-robot", "move": "of-move", "obstacle": "of-obstacle"}
+ROBOT, MOVE, OBSTACLE = "of-robot", "of-move", "of-obstacle"  # the looks of edges
 
 
 def difference(matter: Matter) -> list[Edge]:
@@ -39,14 +38,7 @@ def draw_difference(
     inside = drawsvg.Group(clip_path=clip)
     group.append(inside)
     inside.append(drawsvg.Path(d=view.path(edge.start for edge in edges), class_="inner"))
-    paths = dict.fromkeys(_LOOKS, "")
-    parts = (part for edge in edges for part in _lines(matter, edge))
-    for owner, run in groupby(parts, key=itemgetter(0)):  # a run of edges is one line
-        lines = [line for _, line in run]
-        paths[owner] += view.path([lines[0][0], *(end for _, end in lines)], closed=False)
-    for owner, look in _LOOKS.items():
-        if paths[owner]:
-            inside.append(drawsvg.Path(d=paths[owner], class_=look))
+    draw_edges(view, inside, [part for edge in edges for part in _lines(matter, edge)])
     ends = matter.ends()
     assert ends is not None
     (ax, ay), (bx, by) = ends
@@ -58,18 +50,24 @@ def draw_difference(
     frame(view, group)
 
 
-def _lines(matter: Matter, edge: Edge) -> Iterable[tuple[str, list[tuple[Number, Number]]]]:
-    """Yield the parts of an edge with their owners: the obstacle's, the robot's, the move's."""
-    ours = edge.source is not Source.FIRST
+def draw_edges(
+    view: View, group: drawsvg.Group, parts: Sequence[tuple[str, Sequence[tuple[Number, Number]]]]
+) -> None:
+    """Draw parts of a boundary in their looks, in their order: (look, [start, end])."""
+    paths: dict[str, str] = {}
+    for look, run in groupby(parts, key=itemgetter(0)):  # a run of edges is one line
+        lines = [line for _, line in run]
+        way = view.path([lines[0][0], *(end for _, end in lines)], closed=False)
+        paths[look] = paths.get(look, "") + way
+    for look, path in paths.items():
+        group.append(drawsvg.Path(d=path, class_=look))
+
+
+def _lines(matter: Matter, edge: Edge) -> Iterable[tuple[str, list[Point]]]:
+    """Yield the parts of an edge with their looks: the obstacle's, the robot's, the move's."""
     along_move = matter.moves and cross(edge.way, matter.scenario.move) == 0
-    owner = "obstacle" if not ours else "move" if along_move else "robot"
-    if edge.source is not Source.BOTH:
-        yield owner, [edge.start, edge.end]
-        return
-    x, y = edge.start
-    middle = x + Fraction(edge.way[0], 2), y + Fraction(edge.way[1], 2)
-    yield "obstacle", [edge.start, middle]
-    yield owner, [middle, edge.end]
+    for source, line in edge.parts():
+        yield OBSTACLE if source is Source.FIRST else MOVE if along_move else ROBOT, line
 
 
 def verdict(matter: Matter, edges: list[Edge]) -> str:

@@ -23,9 +23,9 @@ OTHERS_MAX, TRIED_MAX = 40, 200
 
 
 def inset_view(matter: Matter, scene: View, area: Area) -> View | None:
-    """Return the view of the decisive place; None if it would hardly be larger than the scene."""
+    """Return the view of the decisive place; None if it would show no more than the scene."""
     ends = matter.ends()
-    if ends is None or matter.moment is None:
+    if ends is None or matter.moment is None or not (matter.moment.robot or matter.moment.feature):
         return None
     (ax, ay), (bx, by) = ends
     units = Fraction(EDGES_WIDE * _shortest_edge(matter)).limit_denominator(10**6)

@@ -75,7 +75,14 @@ class _Picture:
             self._lower(scene)
         self._caption(reason)
         height = round(self.y + 8)
-        drawing = drawsvg.Drawing(WIDTH, height, font_family=FONT, class_=self.scope, role="img")
+        drawing = drawsvg.Drawing(
+            WIDTH,
+            height,
+            font_family=FONT,
+            class_=self.scope,
+            role="img",
+            style="max-width:100%;height:auto",
+        )
         drawing.append_css(css(self.scope))
         drawing.append_title(
             f"{self.heading + ': ' if self.heading else ''}{self.answer}. {reason}"

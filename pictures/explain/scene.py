@@ -24,7 +24,7 @@ DOTS_MAX = 2500
 NUMBERED_MAX = 12  # with more obstacles, only the one that decides gets its number
 HEIGHTS_PX = (190, 360)  # the least and the greatest height of the scene
 MARGIN_PX = 18.0  # free around what is shown
-AROUND = 0.6  # of the size of what the robot covers, this much around it is shown
+AROUND = 1.0  # of the size of what the robot covers, this much around it is shown
 
 
 def scene_view(matter: Matter, left_px: float, top_px: float, width_px: float) -> View:
@@ -179,8 +179,10 @@ def _arrow(matter: Matter, view: View, group: drawsvg.Group) -> None:
     arrow(group, start, end)
 
 
-def arrow(group: drawsvg.Group, start: Place, end: Place, look: str = "arrow") -> None:
-    """Draw an arrow; a very short one has only its head's outline."""
+def arrow(
+    group: drawsvg.Group, start: Place, end: Place, look: str = "arrow", head_look: str = "head"
+) -> None:
+    """Draw an arrow, unless it is too short to be seen."""
     ux, uy = end[0] - start[0], end[1] - start[1]
     length = (ux * ux + uy * uy) ** 0.5
     if length < 3:
@@ -191,7 +193,8 @@ def arrow(group: drawsvg.Group, start: Place, end: Place, look: str = "arrow") -
     half = 0.4 * head
     group.append(drawsvg.Path(d=f"M{start[0]:.1f} {start[1]:.1f}L{bx:.1f} {by:.1f}", class_=look))
     tip = f"M{end[0]:.1f} {end[1]:.1f}L{bx - half * uy:.1f} {by + half * ux:.1f}"
-    group.append(drawsvg.Path(d=f"{tip}L{bx + half * uy:.1f} {by - half * ux:.1f}Z", class_="head"))
+    tip += f"L{bx + half * uy:.1f} {by - half * ux:.1f}Z"
+    group.append(drawsvg.Path(d=tip, class_=head_look))
 
 
 def _mark(matter: Matter, view: View, group: drawsvg.Group) -> None:

@@ -50,6 +50,8 @@ _LOOKS = {
     ),
     "arrow": ("fill:none;stroke:#0072b2;stroke-width:1.6", "stroke:#56b4e9"),
     "head": ("fill:#0072b2", "fill:#56b4e9"),
+    "of-robot-head": ("fill:#0072b2", "fill:#56b4e9"),
+    "of-obstacle-head": ("fill:#a86f00", "fill:#f2b632"),
     "gap": ("fill:none;stroke:#222;stroke-width:1.6;stroke-dasharray:2 2", "stroke:#f0f0ee"),
     "hit": ("fill:none;stroke:#d55e00;stroke-width:2.4", "stroke:#ff8a3c"),
     "hit-dot": ("fill:#d55e00", "fill:#ff8a3c"),

@@ -22,34 +22,54 @@ def browser():
         browser.close()
 
 
+@pytest.fixture(scope="session")
+def contexts(browser):
+    """Two windows, by whether they are a phone's. A new one takes Chromium a second."""
+    return {
+        is_phone: browser.new_context(
+            viewport={"width": 390, "height": 844} if is_phone else {"width": 1280, "height": 800},
+            is_mobile=is_phone,
+            has_touch=is_phone,
+            reduced_motion="reduce",
+        )
+        for is_phone in (False, True)
+    }
+
+
 @pytest.fixture
-def opened(browser):
-    """A function that opens the page, at an address, as a desktop or (phone=True) a phone.
+def opened(contexts):
+    """A function that opens the page afresh, at an address, on a desktop or (phone=True) a phone.
 
     Whatever the page asks of a network, and every error it meets, fails the test.
     """
-    contexts, faults = [], []
+    used, faults = [], []
 
-    def open_page(address="", *, phone=False, **options):
-        shape = {"width": 390, "height": 844} if phone else {"width": 1280, "height": 800}
-        context = browser.new_context(
-            viewport=shape, is_mobile=phone, has_touch=phone, reduced_motion="reduce", **options
-        )
-        contexts.append(context)
-        page = context.new_page()
+    def on_request(asked):
+        if not asked.url.startswith("file:"):
+            faults.append(asked.url)
+
+    listeners = {
+        "pageerror": lambda error: faults.append(str(error)),
+        "console": lambda said: faults.append(said.text) if said.type == "error" else None,
+        "request": on_request,
+    }
+
+    def open_page(address="", *, phone=False):
+        context = contexts[phone]
+        page = next((page for page in context.pages if page not in used), None)
+        page = page or context.new_page()
+        used.append(page)
         page.set_default_timeout(30_000)  # only a failure waits so long
-        page.on("pageerror", lambda error: faults.append(str(error)))
-        page.on("console", lambda said: faults.append(said.text) if said.type == "error" else None)
-        page.on(
-            "request",
-            lambda asked: None if asked.url.startswith("file:") else faults.append(asked.url),
-        )
+        page.goto("about:blank")
+        for event, listener in listeners.items():
+            page.on(event, listener)
         page.goto(f"{PAGE.as_uri()}{address}")
         return page
 
     yield open_page
-    for context in contexts:
-        context.close()
+    for page in used:
+        for event, listener in listeners.items():
+            page.remove_listener(event, listener)
     assert faults == []
 
 

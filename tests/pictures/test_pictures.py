@@ -75,6 +75,7 @@ def test_a_useless_file_gets_one_clear_line(capsys, tmp_path, content, number, m
 
 def test_figures_are_written_only_where_they_changed(monkeypatch, capsys, tmp_path):
     monkeypatch.setattr(cli, "sample_figures", lambda: {tmp_path / "a.svg": "<svg/>\n"})
+    monkeypatch.setattr(cli, "lesson_figures", dict)
     monkeypatch.setattr(cli, "ROOT", tmp_path)
     assert run("figures", "--check") == 1
     assert not (tmp_path / "a.svg").exists()
