@@ -107,3 +107,14 @@ def test_what_gen_refuses_is_not_added(file, tmp_path, capsys):
     with pytest.raises(AddError, match="was not added to the group static"):
         add_to_data(found, "static", data=tmp_path)
     assert "expected 0 0 in this group" in capsys.readouterr().err
+
+
+def test_a_counterexample_that_cannot_be_added_is_shown_all_the_same(tmp_path, capsys):
+    program = tmp_path / "my.py"
+    program.write_text("for _ in range(int(input())): print('YES')\n")
+    arguments = [str(program), "--seed", "1", "--no-wall", "--add", "--group", "nowhere"]
+    assert cli.main(arguments) == 1
+    captured = capsys.readouterr()
+    assert "expected NO, found YES" in captured.out
+    assert "was not added to the group nowhere" in captured.out
+    assert "no group 'nowhere'" in captured.err
