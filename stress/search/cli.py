@@ -18,9 +18,9 @@ from judge.problem.declaration import load
 from judge.reports.explained import print_counterexample
 from judge.sandbox.facts import RunLimits
 from judge.sandbox.probe import NoWallError
+from stress.running.trial import Subject
 from stress.search.search import DRAWING_S, Result, search
 from stress.search.session import new_seed, with_addition
-from stress.search.trial import Subject
 
 RIGHT, WRONG = 0, 1
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from judge.problem.verdict import Verdict
-from stress.search.measure import measure
-from stress.search.shrink import UnsteadyError
-from stress.search.trial import Subject, Trial, shortest_failing_prefix
+from stress.running.trial import Subject, Trial, shortest_failing_prefix
+from stress.shrinking.measure import measure
+from stress.shrinking.single import UnsteadyError
 
 SUSPECTS = 6
 REPEATS = 3

@@ -12,7 +12,7 @@ from judge.kit.files import write_whole
 from judge.kit.paths import BUILD
 from pictures.explain import explain_picture
 from pictures.words import sentence
-from stress.search.trial import Trial
+from stress.running.trial import Trial
 
 COUNTEREXAMPLES = BUILD / "counterexamples"
 

@@ -11,15 +11,15 @@ from gen.rng import Rng
 from judge.explanation import Counterexample
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult
-from stress.search.clock import Budget, Clock
+from stress.running.clock import Budget, Clock
+from stress.running.trial import Subject, Trial
 from stress.search.find import culprit
 from stress.search.result import counterexample
-from stress.search.sequence import shrink_sequence
-from stress.search.shrink import Shrunk, UnsteadyError, shrink
 from stress.search.slow import slow_when_small
 from stress.search.start import given, larger, tiny
-from stress.search.trial import Subject, Trial
 from stress.search.unsteady import unsteady
+from stress.shrinking.sequence import shrink_sequence
+from stress.shrinking.single import Shrunk, UnsteadyError, shrink
 
 Say = Callable[[str], None]
 

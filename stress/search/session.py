@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from judge.explanation import Counterexample
 from judge.judging import UNEXPLAINED, Failure
+from stress.running.trial import Subject
 from stress.search.add import AddError, add_to_data
 from stress.search.search import search
-from stress.search.trial import Subject
 
 SEEDS = 1_000_000
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 
 from gen.scenario import Scenario
 from judge.results import CaseResult
+from stress.running.trial import Subject, Trial
 from stress.search.start import read, smallest
-from stress.search.trial import Subject, Trial
 
 MOST_VERTICES = 40  # of what counts as a small scenario
 MOST_SCENARIOS = 1_000

@@ -12,9 +12,9 @@ from gen.validator import InputError, load_rules, validate
 from judge.kit.errors import KitError
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult
-from stress.search.clock import Clock
+from stress.running.clock import Clock
+from stress.running.trial import Subject, Trial
 from stress.search.draw import TINY_FILES, larger_files, tiny_files
-from stress.search.trial import Subject, Trial
 
 Say = Callable[[str], None]
 

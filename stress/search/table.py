@@ -21,7 +21,7 @@ from judge.problem.declaration import Problem, load
 from judge.problem.verdict import Verdict
 from judge.results import Judging
 from stress.front import make_search
-from stress.search.measure import numbers_of
+from stress.shrinking.measure import numbers_of
 
 TABLE = ROOT / "docs" / "counterexamples.md"
 FOLDERS = ("wrong_answer", "run_time_error")

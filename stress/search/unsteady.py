@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from stress.search.measure import measure
-from stress.search.sequence import SIMPLE
-from stress.search.trial import Subject, Trial
+from stress.running.trial import Subject, Trial
+from stress.shrinking.measure import measure
+from stress.shrinking.sequence import SIMPLE
 
 RUNS = 10
 CANDIDATES = 4

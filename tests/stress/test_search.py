@@ -20,12 +20,12 @@ from judge.problem.verdict import Verdict
 from judge.results import CaseResult
 from judge.run import Attempt
 from judge.sandbox.facts import Facts, RunLimits
+from stress.running.reference import answer
+from stress.running.trial import Subject
 from stress.search import result as results
 from stress.search import search as searching
-from stress.search.measure import numbers_of
-from stress.search.reference import answer
 from stress.search.search import CHANGES, DEPENDS, Result, search
-from stress.search.trial import Subject
+from stress.shrinking.measure import numbers_of
 
 LIMITS = RunLimits(time_limit_s=5.0, memory_mib=512, output_mib=8)
 ENDED_WELL = Facts(0, None, 0.1, 0.1, 10.0, 10, None)

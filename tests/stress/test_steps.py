@@ -10,11 +10,11 @@ from gen.validator import load_rules, validate
 from judge.kit.paths import REFERENCE
 from judge.kit.trusted import python_command, read_answers, run_trusted
 from stress.chance import random_scenarios
-from stress.search import steps
+from stress.running.reference import answers
 from stress.search.draw import of_families
-from stress.search.measure import is_valid, measure, numbers_of
-from stress.search.reference import answers
-from stress.search.steps.parts import parts
+from stress.shrinking import steps
+from stress.shrinking.measure import is_valid, measure, numbers_of
+from stress.shrinking.steps.parts import parts
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 TRIANGLE = [(0, 0), (1, 0), (0, 1)]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from gen.rng import Rng
 from gen.scenario import Scenario
-from stress.search.steps.parts import parts
+from stress.shrinking.steps.parts import parts
 
 
 def fewer_obstacles(scenario: Scenario, _rng: Rng) -> Iterator[Scenario]:

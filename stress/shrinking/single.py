@@ -9,10 +9,10 @@ from gen.rng import Rng
 from gen.scenario import Scenario
 from judge.kit.text import counted
 from judge.problem.verdict import Verdict
-from stress.search.clock import Budget
-from stress.search.measure import measure, numbers_of
-from stress.search.steps import smaller
-from stress.search.trial import Subject, Trial, shortest_failing_prefix
+from stress.running.clock import Budget
+from stress.running.trial import Subject, Trial, shortest_failing_prefix
+from stress.shrinking.measure import measure, numbers_of
+from stress.shrinking.steps import smaller
 
 FIRST_FILE, GROWTH = 1, 8  # of a program that does not answer a whole file
 MOST_REJECTED = 6

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 from judge.problem.verdict import Verdict
-from stress.search.trial import Subject
+from stress.running.trial import Subject
 
 MOST_RUNS = 600
 MOST_SLOW_RUNS = 40  # that go over a limit of time or memory

@@ -8,7 +8,7 @@ from itertools import pairwise
 from gen.geometry import Point, Polygon, minus
 from gen.rng import Rng
 from gen.scenario import Scenario
-from stress.search.steps.polygons import of_polygons, polygons
+from stress.shrinking.steps.polygons import of_polygons, polygons
 
 FACTORS = (-5, -4, -3, -2, -1, 1, 2, 3, 4, 5)
 MOST_EDGES = 40

@@ -8,7 +8,7 @@ from itertools import chain
 from gen.geometry import Point, translated
 from gen.rng import Rng
 from gen.scenario import Scenario, bounds, moved
-from stress.search.steps.polygons import numbered, with_polygon
+from stress.shrinking.steps.polygons import numbered, with_polygon
 
 MOST_VERTICES = 24
 NEAR = range(-2, 3)

@@ -9,7 +9,7 @@ from math import gcd
 from gen.geometry import Polygon, hull
 from gen.rng import Rng
 from gen.scenario import Scenario
-from stress.search.steps.polygons import numbered, of_polygons, polygons, with_polygon
+from stress.shrinking.steps.polygons import numbered, of_polygons, polygons, with_polygon
 
 # numerator, denominator
 FACTORS: tuple[tuple[int, int], ...] = (

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from gen.geometry import Polygon, translated
 from gen.rng import Rng
 from gen.scenario import SYMMETRIES, Scenario, bounds, moved
-from stress.search.steps.polygons import numbered, of_polygons, polygons, with_polygon
+from stress.shrinking.steps.polygons import numbered, of_polygons, polygons, with_polygon
 
 MOST_VERTICES = 24
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from gen.geometry import Point
 from gen.rng import Rng
 from gen.scenario import Scenario
-from stress.search.steps.polygons import numbered, with_polygon
+from stress.shrinking.steps.polygons import numbered, with_polygon
 
 MOST_VERTICES = 40  # of one polygon
 NEAR = range(-3, 4)

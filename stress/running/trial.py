@@ -11,7 +11,7 @@ from judge.kit.text import printable
 from judge.problem.verdict import Verdict
 from judge.run import Attempt
 from judge.sandbox.facts import RunLimits
-from stress.search.reference import answers
+from stress.running.reference import answers
 
 Attempts = Callable[[Iterable[bytes], RunLimits], Iterator[Attempt]]
 File = Sequence[Scenario]

@@ -8,7 +8,7 @@ from itertools import combinations
 from gen.geometry import Point, Polygon, hull
 from gen.rng import Rng
 from gen.scenario import Scenario
-from stress.search.steps.polygons import numbered, with_polygon
+from stress.shrinking.steps.polygons import numbered, with_polygon
 
 MOST_VERTICES = 12  # of polygons at whose every vertex a triangle is tried
 UNITS = ((1, 0), (0, 1), (-1, 0), (0, -1))

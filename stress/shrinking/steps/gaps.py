@@ -8,7 +8,7 @@ from itertools import chain, islice, pairwise
 from gen.geometry import Point, Polygon
 from gen.rng import Rng
 from gen.scenario import Scenario
-from stress.search.steps.polygons import of_polygons, polygons
+from stress.shrinking.steps.polygons import of_polygons, polygons
 
 MOST_GAPS = 40  # in each direction
 

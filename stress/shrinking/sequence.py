@@ -8,12 +8,12 @@ from itertools import chain, product
 from gen.rng import Rng
 from gen.scenario import Scenario
 from judge.problem.verdict import Verdict
-from stress.search.clock import Budget
-from stress.search.measure import measure
-from stress.search.shrink import Shrunk
-from stress.search.steps import smaller
-from stress.search.steps.parts import parts
-from stress.search.trial import Subject, Trial
+from stress.running.clock import Budget
+from stress.running.trial import Subject, Trial
+from stress.shrinking.measure import measure
+from stress.shrinking.single import Shrunk
+from stress.shrinking.steps import smaller
+from stress.shrinking.steps.parts import parts
 
 MOST_RUNS = 150  # for one scenario in one round: each candidate is a run of its own
 

@@ -8,8 +8,8 @@ from itertools import combinations, product
 from gen.geometry import Polygon
 from gen.rng import Rng
 from gen.scenario import Scenario
-from stress.search.steps.parts import parts
-from stress.search.steps.polygons import numbered, of_polygons, polygons, with_polygon
+from stress.shrinking.steps.parts import parts
+from stress.shrinking.steps.polygons import numbered, of_polygons, polygons, with_polygon
 
 MOST_FOR_ALL_TRIANGLES = 9
 MOST_PAIRS = 400

@@ -9,18 +9,18 @@ from collections.abc import Callable, Iterator
 
 from gen.rng import Rng
 from gen.scenario import Scenario
-from stress.search.measure import Measure, is_valid, measure, numbers_of
-from stress.search.steps.chance import changed_at_random
-from stress.search.steps.gaps import narrower_gaps
-from stress.search.steps.moves import simpler_moves
-from stress.search.steps.nudges import nudged
-from stress.search.steps.obstacles import fewer_obstacles
-from stress.search.steps.places import other_places
-from stress.search.steps.scales import scaled_down
-from stress.search.steps.shears import sheared
-from stress.search.steps.symmetries import images
-from stress.search.steps.triangles import replaced_by_triangles
-from stress.search.steps.vertices import fewer_vertices
+from stress.shrinking.measure import Measure, is_valid, measure, numbers_of
+from stress.shrinking.steps.chance import changed_at_random
+from stress.shrinking.steps.gaps import narrower_gaps
+from stress.shrinking.steps.moves import simpler_moves
+from stress.shrinking.steps.nudges import nudged
+from stress.shrinking.steps.obstacles import fewer_obstacles
+from stress.shrinking.steps.places import other_places
+from stress.shrinking.steps.scales import scaled_down
+from stress.shrinking.steps.shears import sheared
+from stress.shrinking.steps.symmetries import images
+from stress.shrinking.steps.triangles import replaced_by_triangles
+from stress.shrinking.steps.vertices import fewer_vertices
 
 Step = Callable[[Scenario, Rng], Iterator[Scenario]]
 

@@ -7,7 +7,7 @@ from itertools import chain, pairwise
 
 from gen.rng import Rng
 from gen.scenario import Scenario
-from stress.search.steps.polygons import of_polygons, polygons
+from stress.shrinking.steps.polygons import of_polygons, polygons
 
 TRIES = 1_500
 MOST_NUMBERS = 400  # of a scene that is worth so many tries

@@ -1,0 +1,1 @@
+"""Shrinking: ever smaller scenarios, or sequences of them, that still fail."""
