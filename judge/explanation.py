@@ -49,10 +49,11 @@ class Counterexample:
 
     input: the whole text of the input file. expected, found: the answers to its last scenario;
     found says how the program ended, in words, if it crashed or ran out of time. scenarios: 1,
-    or more if the answer to the last one depends on those before it. obstacles, vertices: of
-    the last scenario. sentence: why the expected answer is right. picture: SVG text, empty if
-    there is none. file: where the input is kept, None if it is kept nowhere. seconds: what the
-    search took. steps: remarks on the search, such as the seed that repeats it.
+    or more if the answer to the last one depends on those before it (if it depends on later ones,
+    the first wrong one takes the place of the last). obstacles, vertices: of the last scenario.
+    sentence: why the expected answer is right. picture: SVG text, empty if there is none. file:
+    where the input is kept, None if it is kept nowhere. seconds: what the search took. steps:
+    remarks on the search, such as the seed that repeats it.
     """
 
     input: str

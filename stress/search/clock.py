@@ -8,7 +8,7 @@ from judge.problem.verdict import Verdict
 from stress.search.trial import Subject
 
 MOST_RUNS = 600
-MOST_SLOW_RUNS = 40  # that go over the time limit
+MOST_SLOW_RUNS = 40  # that go over a limit of time or memory
 MOST_VERTICES = 4_000_000  # of all files of these runs: about ten seconds
 
 
@@ -33,7 +33,7 @@ class Budget:
 
     def __init__(self, subject: Subject, verdict: Verdict) -> None:
         self._subject = subject
-        runs = MOST_SLOW_RUNS if verdict is Verdict.TLE else MOST_RUNS
+        runs = MOST_SLOW_RUNS if verdict in (Verdict.TLE, Verdict.MLE) else MOST_RUNS
         self._runs = subject.runs + runs
         self._vertices = subject.vertices + MOST_VERTICES
 

@@ -26,8 +26,12 @@ Say = Callable[[str], None]
 DRAWING_S = 20.0  # for drawing scenarios until one fails
 TLE_PART = 5  # a candidate is slow if it takes more than this part of the time limit
 
+OF_SIZE = (Verdict.TLE, Verdict.MLE)  # verdicts that a large input alone may bring about
 NOTHING_FAILS = "no scenario was found that it fails on"
-ONLY_SIZE = "no small input makes it slow: it is right, but its time grows too fast with the size"
+ONLY_SIZE = (
+    "no small input makes it exceed a limit, and all small ones that were tried were answered "
+    "correctly: it needs too much time or memory for large ones"
+)
 ONLY_LIMIT = "it is slow on the smallest input that was found, but not beyond the time limit"
 CHANGES = "its answers to the same input change from run to run"
 DEPENDS = "its answer to a scenario depends on the scenarios before it"
@@ -63,13 +67,13 @@ def search(
     """
     began = time.perf_counter()
     say("searching for a small counterexample")
-    only_slow = bool(failures) and all(case.verdict is Verdict.TLE for case in failures)
-    for failed in _failing(subject, failures, seed, Clock(drawing_s), say, only_slow=only_slow):
+    only_size = bool(failures) and all(case.verdict in OF_SIZE for case in failures)
+    for failed in _failing(subject, failures, seed, Clock(drawing_s), say, only_size=only_size):
         found = _shrunk(subject, failed, seed, began, say)
         if isinstance(found, Counterexample):
             return Result(found, True, "", subject.answered)
         return Result(None, True, found, subject.answered)
-    return Result(None, only_slow, ONLY_SIZE if only_slow else NOTHING_FAILS, subject.answered)
+    return Result(None, only_size, ONLY_SIZE if only_size else NOTHING_FAILS, subject.answered)
 
 
 def _failing(
@@ -79,10 +83,10 @@ def _failing(
     clock: Clock,
     say: Say,
     *,
-    only_slow: bool,
+    only_size: bool,
 ) -> Iterator[Trial]:
     """Yield trials that failed, those of the smallest scenarios first."""
-    if only_slow:
+    if only_size:
         return chain(tiny(subject, seed), slow_when_small(_hurried(subject), failures))
     return chain(tiny(subject, seed), given(subject, failures), larger(subject, seed, clock, say))
 

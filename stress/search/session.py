@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from judge.explanation import Counterexample
 from judge.judging import UNEXPLAINED, Failure
-from stress.search.add import add_to_data
+from stress.search.add import AddError, add_to_data
 from stress.search.search import search
 from stress.search.trial import Subject
 
@@ -39,4 +39,8 @@ def with_addition(found: Counterexample, group: str) -> Counterexample:
     """Add a counterexample to data/, and say so in it. group: empty for the smallest that fits."""
     if found.file is None:
         return found
-    return replace(found, steps=(*found.steps, add_to_data(found.file, group)))
+    try:
+        said = add_to_data(found.file, group)
+    except AddError as error:  # the counterexample is shown all the same
+        said = str(error)
+    return replace(found, steps=(*found.steps, said))

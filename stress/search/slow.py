@@ -1,11 +1,10 @@
-"""Programs over the time limit: is there a small scenario that they never finish?"""
+"""Programs over a limit of time or memory: does a small scenario suffice for that?"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
 from gen.scenario import Scenario
-from judge.problem.verdict import Verdict
 from judge.results import CaseResult
 from stress.search.start import read, smallest
 from stress.search.trial import Subject, Trial
@@ -15,7 +14,7 @@ MOST_SCENARIOS = 1_000
 
 
 def slow_when_small(subject: Subject, cases: Sequence[CaseResult]) -> Iterator[Trial]:
-    """Yield trials over the time limit of the small scenarios in failing cases, whole or thinned.
+    """Yield trials that failed, of the scenarios of failing cases, large ones thinned.
 
     A thinned scenario keeps few vertices of each polygon, and few obstacles.
     """
@@ -24,7 +23,7 @@ def slow_when_small(subject: Subject, cases: Sequence[CaseResult]) -> Iterator[T
         step = max(1, len(scenarios) // MOST_SCENARIOS)
         small = [_thinned(scenario) for scenario in scenarios[::step]]
         trial = subject.trial(small)
-        if trial.verdict is Verdict.TLE:
+        if trial.failed:
             yield trial
 
 

@@ -42,7 +42,7 @@ def test_the_table_names_every_wrong_submission():
 @pytest.mark.parametrize("name", wrong_submissions(load()))
 def test_the_counterexample_is_as_small_as_the_bug_permits(name, tmp_path, monkeypatch):
     monkeypatch.setattr(result, "COUNTEREXAMPLES", tmp_path)
-    (row,) = rows_of([name], load(), seed=2, jobs=2)
+    (row,) = rows_of([name], load(), seed=1, jobs=2)
     found = row.found
     assert found is not None, row.why
     if name not in LARGE:

@@ -1,9 +1,13 @@
 """What becomes of a counterexample: the command prints it, --add puts it into the data."""
 
+import subprocess
+import sys
+
 import pytest
 
 from gen.scenario import Scenario, render
-from judge.kit.paths import SUBMISSIONS
+from judge.kit.paths import ROOT, SUBMISSIONS
+from judge.kit.trusted import run_trusted
 from stress import cli
 from stress.search import result
 from stress.search.add import AddError, add_to_data, fitting_group
@@ -43,6 +47,23 @@ def test_the_command_tells_how_much_a_right_program_answered(tmp_path, capsys):
     program.write_text("import sys\n")
     assert cli.main([str(SUBMISSIONS.parent / "solution.py"), "--seconds", "1"]) == 0
     assert "scenarios answered correctly (seed " in capsys.readouterr().out
+
+
+def test_the_checker_explains_and_a_judging_without_that_does_not_load_the_search():
+    program = SUBMISSIONS / "wrong_answer" / "strict_touch.py"
+    arguments = ["--group", "sample", "--explain", "--seed", "3"]
+    run = subprocess.run(
+        [sys.executable, ROOT / "checker.py", program, *arguments],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 1
+    assert "a smallest input that it gets wrong (1 obstacle, 6 vertices):" in run.stdout
+    assert "seed 3" in run.stdout
+    shown = "print(*[name for name in sys.modules if name.startswith(('gen.', 'pictures.'))])"
+    loads = f"import sys, stress.front; {shown}"
+    assert run_trusted("python", (sys.executable, "-c", loads)).split() == []
 
 
 @pytest.mark.parametrize(
@@ -86,3 +107,14 @@ def test_what_gen_refuses_is_not_added(file, tmp_path, capsys):
     with pytest.raises(AddError, match="was not added to the group static"):
         add_to_data(found, "static", data=tmp_path)
     assert "expected 0 0 in this group" in capsys.readouterr().err
+
+
+def test_a_counterexample_that_cannot_be_added_is_shown_all_the_same(tmp_path, capsys):
+    program = tmp_path / "my.py"
+    program.write_text("for _ in range(int(input())): print('YES')\n")
+    arguments = [str(program), "--seed", "1", "--no-wall", "--add", "--group", "nowhere"]
+    assert cli.main(arguments) == 1
+    captured = capsys.readouterr()
+    assert "expected NO, found YES" in captured.out
+    assert "was not added to the group nowhere" in captured.out
+    assert "no group 'nowhere'" in captured.err

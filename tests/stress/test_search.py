@@ -112,9 +112,9 @@ def test_equal_seeds_give_equal_results():
     def three_corners(scenarios):
         return ["YES" if len(s.robot) > 4 else answer(s) for s in scenarios]
 
-    first, again, other = (found_by(three_corners, seed=seed) for seed in (3, 3, 4))
+    first, again = (found_by(three_corners, seed=3) for _ in range(2))
     assert first.input == again.input
-    assert first.vertices == other.vertices == 5 + 3
+    assert first.vertices == 5 + 3
 
 
 def test_a_right_program_fails_on_nothing():
