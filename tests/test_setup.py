@@ -28,7 +28,7 @@ def test_an_old_python_can_parse_it(name: str) -> None:
 
 
 def test_every_command_has_a_door() -> None:
-    commands = {"bench", "gen", "judge", "pictures", "stress", "strength"}
+    commands = {"bench", "explorer", "gen", "judge", "pictures", "stress", "strength"}
     assert {Path(name).parts[0] for name in DOORS if name.endswith("__main__.py")} == commands
 
 

@@ -101,13 +101,13 @@ def test_what_waits_is_held_by_the_same_limits(run_walled: RunPython, tmp_path: 
         "print(*[resource.getrlimit(getattr(resource, name)) for name in names])\n"
     )
     found = set()
-    for _ in range(4):
+    for _ in range(3):
         assert run_walled(code).exit_status == 0
         found.add((tmp_path / "out").read_text())
     assert len(found) == 1
-    for _ in range(4):
+    for _ in range(3):
         assert run_walled("while True: pass", time_limit_s=0.2).stopped is Stop.CPU
-    for _ in range(4):
+    for _ in range(3):
         facts = run_walled("import time; time.sleep(0.05)")
         assert facts.cpu_s < 0.2
         assert facts.elapsed_s > 0.05
