@@ -136,13 +136,6 @@ def judge(
         judging = _judging(submission, problem, data, time_limit, results, ready)
         if judging.verdict in UNEXPLAINED or not problem.feedback.lessons:
             return judging
-        events.phase("looking for the lesson")
-        diagnosis = diagnose(
-            load_gallery(), pool.attempts, time_limit.limits, problem, judging.cases
-        )
-        judging = replace(judging, diagnosis=diagnosis)
-        if search is None or not problem.feedback.counterexample:
-            return judging
         failure = Failure(
             submission,
             problem,
@@ -152,10 +145,27 @@ def judge(
             options.jobs,
             events.phase,
         )
-        found = search(failure)
-        if isinstance(found, str):
-            return replace(judging, unexplained=found)
-        return replace(judging, counterexample=found)
+        return _explained(judging, failure, search)
+
+
+def _explained(judging: Judging, failure: Failure, search: Search | None) -> Judging:
+    """Return the judging with a diagnosis, and the counterexample that a search finds.
+
+    Whatever goes wrong here costs only the explanation: the results are kept.
+    """
+    problem = failure.problem
+    try:
+        failure.say("looking for the lesson")
+        found = diagnose(load_gallery(), failure.attempts, failure.limits, problem, failure.cases)
+        judging = replace(judging, diagnosis=found)
+        if search is None or not problem.feedback.counterexample:
+            return judging
+        example = search(failure)
+    except KitError as error:
+        return replace(judging, unexplained=str(error))
+    if isinstance(example, str):
+        return replace(judging, unexplained=example)
+    return replace(judging, counterexample=example)
 
 
 def _judging(

@@ -101,22 +101,18 @@ def what_is_left(problem: Problem, cases: Sequence[CaseResult]) -> str:
     """Return a sentence for a program that answers the whole gallery correctly. Pure."""
     bounds, small = problem.constraints, _small_groups(problem)
     failed = [result for result in cases if result.verdict in DIAGNOSED]
-    right = "It answers every gallery scene correctly, so its idea is right. "
-    vertices = f"up to {bounds.max_vertices:,} vertices"
+    right = "It answers every tiny scene of the gallery correctly. "
+    sizes = (
+        f"(up to {bounds.max_vertices:,} vertices and {bounds.max_scenarios:,} scenarios in a file)"
+    )
+    if all(result.verdict is Verdict.RTE for result in failed):
+        return f"{right}It crashes on larger files: look at array sizes and recursion {sizes}."
     if any(result.case.group in small for result in failed):
         return (
-            f"{right}It fails on small files: what is left is precision (coordinates go up to "
+            f"{right}It fails on small files, too: what is left is precision (coordinates go up to "
             f"{bounds.max_coordinate:,}, so their products go beyond 2^53), or a rare position."
         )
-    if any(result.verdict is Verdict.RTE for result in failed):
-        return (
-            f"{right}It crashes on large files only: look at array sizes and the depth of "
-            f"recursion ({vertices} and {bounds.max_scenarios:,} scenarios in a file)."
-        )
-    return (
-        f"{right}It fails on large files only: look at fixed sizes and limits on steps "
-        f"({vertices} and {bounds.max_scenarios:,} scenarios in a file)."
-    )
+    return f"{right}It fails on large files only: look at fixed sizes and limits on steps {sizes}."
 
 
 def _small_groups(problem: Problem) -> frozenset[str]:

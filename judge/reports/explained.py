@@ -20,6 +20,7 @@ from judge.reports.words import (
     headline,
     last_lines,
     like_sentence,
+    page_of,
     see_it,
     shown,
     size_of,
@@ -90,8 +91,9 @@ def _diagnosis_lines(diagnosis: Diagnosis, *, explain: bool) -> Iterator[str | T
         yield Text(f"what it misses ({wrong_scenes(diagnosis)}):", style=TITLE)
     for number, lesson in enumerate(lessons, 1):
         yield f"  {number}. {printable_name(lesson.sentence)}"
-        if explain:
+        if explain and lesson.scenes:
             yield Text(f"     scenes: {', '.join(map(printable_name, lesson.scenes))}", style="dim")
+            yield Text(f"     play with it: {page_of(lesson.scenes[0])}", style="dim")
     if more := len(diagnosis.lessons) - len(lessons):
         yield Text(f"  ({more} more: --explain)", style="dim")
     for sentence in (like_sentence(diagnosis), printable_name(diagnosis.remark)):

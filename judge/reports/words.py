@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import shlex
 from pathlib import Path
+from urllib.parse import quote
 
 from judge.explanation import Counterexample, Diagnosis
-from judge.kit.paths import ROOT
+from judge.kit.paths import EXPLORER, ROOT
 from judge.kit.text import counted, printable_name
 from judge.machine import UNCALIBRATED
 from judge.problem.scenarios import scenario_lines
@@ -59,6 +60,11 @@ def headline(failure: CaseResult) -> str:
 def last_lines(stderr: str, most: int = LAST_LINES) -> list[str]:
     """Return the last lines of standard error."""
     return stderr.splitlines()[-most:]
+
+
+def page_of(scene: str) -> str:
+    """Return the address of a gallery scene in the explorer, for a browser on this machine."""
+    return f"{EXPLORER.as_uri()}#gallery={quote(scene)}"
 
 
 def wrong_scenes(diagnosis: Diagnosis) -> str:
