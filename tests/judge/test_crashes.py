@@ -14,7 +14,7 @@ from judge.languages.table import by_name
 from judge.problem.declaration import load
 from judge.run import run_input
 from judge.sandbox.facts import RunLimits
-from judge.sandbox.keeper.pipes import HEAD_BYTES, STDERR_BYTES, TAIL_BYTES, Sink
+from judge.sandbox.keeper.pipes import HEAD_BYTES, STDERR_BYTES, TAIL_BYTES, Pipes
 from judge.sandbox.sandbox import Sandbox
 
 LIMITS = RunLimits(time_limit_s=5.0, memory_mib=256, output_mib=1)
@@ -159,17 +159,17 @@ def test_both_ends_of_standard_error_are_kept(size: int, tmp_path: Path) -> None
     said = b"".join(b"%07d\n" % n for n in range(size // 8 + 1))[:size]
     read, write = os.pipe()
     os.set_blocking(read, False)
-    with (tmp_path / "out").open("wb") as file:
-        sink = Sink(os.dup(read), read, file.fileno(), 1 << 20)
+    with Path(os.devnull).open("rb") as source, (tmp_path / "out").open("wb") as file:
+        pipes = Pipes(os.dup(write), os.dup(read), read, b"", source.fileno(), file.fileno(), 1)
         for start in range(0, size, 60_000):
             os.write(write, said[start : start + 60_000])
-            sink.take(read)
+            pipes.serve(read)
         os.close(write)
-        sink.drain()
+        pipes.drain()
     if size <= HEAD_BYTES + TAIL_BYTES:
-        assert sink.stderr == said
+        assert pipes.stderr == said
         return
     left_out = size - HEAD_BYTES - TAIL_BYTES
     between = b"\n... %d bytes left out ...\n" % left_out
-    assert sink.stderr == said[:HEAD_BYTES] + between + said[-TAIL_BYTES:]
-    assert len(sink.stderr) <= STDERR_BYTES
+    assert pipes.stderr == said[:HEAD_BYTES] + between + said[-TAIL_BYTES:]
+    assert len(pipes.stderr) <= STDERR_BYTES
