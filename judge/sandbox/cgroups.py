@@ -12,87 +12,61 @@ import os
 import time
 from pathlib import Path
 
-from judge.sandbox.keeper.cgroup import LEAF
+from judge.sandbox.keeper.cgroup import CONTROL, DISABLE, LEAF, PROCESSES, written
 from judge.sandbox.keeper.proc import read
 
-CONTROLLERS = ("memory", "pids")  # to enable in version 2, which counts CPU time without one
-OLD_CONTROLLERS = {"memory": "memory", "pids": "pids", "cpu": "cpuacct"}
+ENABLE = "+memory +pids"  # version 2 counts CPU time without a controller
+CONTROLLERS = {"memory": "memory", "pids": "pids", "cpu": "cpuacct"}  # of version 1, by use
 END_TIMEOUT_S = 2.0
 
 
 class Cgroups:
-    """The places for control groups by controller: `places`, empty if there is none.
+    """The places for control groups by use (memory, pids, cpu): `places`, empty if one is missing.
 
     Version 2: only a control group without processes of its own can enable controllers below it.
     If this process is the only one in its own, it moves into one below, LEAF, and back on close.
-    Otherwise the new ones only count CPU time.
     process: this process's directory in /proc; None: make none.
     """
 
     def __init__(self, process: Path | None = Path("/proc/self")) -> None:
-        self._moved = False
-        self.places: dict[str, Path] = {}
+        self._left: Path | None = None
         own = _own(process) if process else {}
-        if "" in own and (below := self._enabled(own[""])):
-            enabled = ["cpu", *read(below / "cgroup.subtree_control").split()]
-            self.places = {use: below for use in OLD_CONTROLLERS if use in enabled}
-        if "memory" not in self.places:
-            old = {use: own[name] for use, name in OLD_CONTROLLERS.items() if name in own}
-            usable = {use: place for use, place in old.items() if _may_make(place)}
-            if "memory" in usable or not self.places:
-                self.places = usable
-        self.count_cpu = "cpu" in self.places
-        self.hold_memory = "memory" in self.places
+        own = {name: place for name, place in own.items() if _may_make(place)}
+        self.places: dict[str, Path] = {}
+        if own.keys() >= set(CONTROLLERS.values()):
+            self.places = {use: own[name] for use, name in CONTROLLERS.items()}
+        elif "" in own and (place := self._enabled(own[""])):
+            self.places = dict.fromkeys(CONTROLLERS, place)
 
     def close(self, name: str) -> None:
         """Remove what killed keepers have left (names beginning with `name`), and move back."""
         give_up = time.monotonic() + END_TIMEOUT_S
-        for place in dict.fromkeys(self.places.values()):
+        for place in set(self.places.values()):
             while (left := list(place.glob(f"{name}-*"))) and time.monotonic() < give_up:
                 for group in left:
                     with contextlib.suppress(OSError):  # a process is still ending
                         group.rmdir()
                 time.sleep(0.002)
-        if self._moved:
-            below = self.places["cpu"]
-            _enable(below, "-")
-            self._moved = not _move(below)
-            with contextlib.suppress(OSError):
-                (below / LEAF).rmdir()
+        if self._left:
+            written(self._left / CONTROL, DISABLE)
+            if written(self._left / PROCESSES, os.getpid()):
+                with contextlib.suppress(OSError):
+                    (self._left / LEAF).rmdir()
+                self._left = None
 
     def _enabled(self, own: Path) -> Path | None:
-        """Return the place in version 2, controllers enabled if possible; None if there is none."""
+        """Return the place in version 2 with its controllers enabled, None if that is refused."""
         if own.name == LEAF:  # moved already
             return own.parent
-        if not _may_make(own):
-            return None
-        alone = read(own / "cgroup.procs").split() == [str(os.getpid())]
-        if not _enable(own, "+") and alone:
-            self._moved = _move(own / LEAF)
-            _enable(own, "+")
-        return own
-
-
-def _enable(directory: Path, sign: str) -> bool:
-    """Enable the controllers below (+) or disable them (-); return whether that worked."""
-    try:
-        there = (directory / "cgroup.controllers").read_text().split()
-        wanted = " ".join(f"{sign}{name}" for name in CONTROLLERS if name in there)
-        if wanted:
-            (directory / "cgroup.subtree_control").write_text(wanted)
-    except OSError:
-        return False
-    return True
-
-
-def _move(target: Path) -> bool:
-    """Move this process to a control group; return whether that worked."""
-    try:
-        target.mkdir(exist_ok=True)
-        (target / "cgroup.procs").write_text(str(os.getpid()))
-    except OSError:
-        return False
-    return True
+        if written(own / CONTROL, ENABLE):
+            return own
+        if read(own / PROCESSES).split() == [str(os.getpid())]:
+            with contextlib.suppress(OSError):
+                (own / LEAF).mkdir(exist_ok=True)
+            if written(own / LEAF / PROCESSES, os.getpid()):
+                self._left = own
+                return own if written(own / CONTROL, ENABLE) else None
+        return None
 
 
 def _own(process: Path) -> dict[str, Path]:
@@ -116,4 +90,4 @@ def _own(process: Path) -> dict[str, Path]:
 
 
 def _may_make(directory: Path) -> bool:
-    return all(os.access(path, os.W_OK) for path in (directory, directory / "cgroup.procs"))
+    return all(os.access(path, os.W_OK) for path in (directory, directory / PROCESSES))

@@ -113,19 +113,14 @@ class Sandbox:
         return facts
 
     def _run(
-        self,
-        command: Command,
-        limits: RunLimits,
-        stdin: Path | None,
-        stdout: Path,
-        compiling: bool,
+        self, command: Command, limits: RunLimits, stdin: Path | None, stdout: Path, compiling: bool
     ) -> Facts:
         home = SCRATCH if self.wall else self.new_directory("run-")
         keeper = self._take()
         try:
             wall = user = None
             if self.wall:
-                counted = self._cgroups.count_cpu
+                counted = bool(self._cgroups.places)
                 wall = self.wall.request(command.directory, compiling, command.prefixes, counted)
             if os.getuid() == 0 and (wall or self._open_to_all(command)):
                 user = keeper.user
@@ -160,7 +155,7 @@ class Sandbox:
         """What is around every run, in words; None without a wall."""
         if self.wall is None:
             return None
-        if self._cgroups.hold_memory:
+        if self._cgroups.places:
             return f"{self.wall} and control groups"
         hidden = f"up to {UNCOUNTED_MIB} MiB of kernel memory are not counted"
         return f"{self.wall}, without control groups ({hidden})"

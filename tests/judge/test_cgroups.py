@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -73,28 +74,38 @@ def test_where_no_control_group_can_be_made_nothing_changes(fake, monkeypatch) -
     assert (own / "cgroup.subtree_control").read_text() == ""
 
 
-def test_a_process_alone_in_its_control_group_moves_below_and_back(fake, monkeypatch) -> None:
+@pytest.mark.parametrize("refused", [{1}, {1, 3}])  # then no controller is delegated
+def test_a_process_alone_in_its_control_group_moves_below_and_back(
+    fake, monkeypatch, refused: set[int]
+) -> None:
     process, own = fake()
     (own / "cgroup.procs").write_text(f"{os.getpid()}\n")
-    wrote: list[tuple[str, str]] = []
-    write_text = Path.write_text
+    wrote: list[tuple[str, int | str]] = []
 
-    def write(path: Path, text: str) -> int:
-        wrote.append((str(path.relative_to(own)), text))
-        if len(wrote) == 1:
-            raise OSError("processes are in here")
-        return write_text(path, text)
+    def written(path: Path, value: int | str) -> bool:
+        wrote.append((str(path.relative_to(own)), value))
+        return len(wrote) not in refused
 
-    monkeypatch.setattr(Path, "write_text", write)
+    monkeypatch.setattr("judge.sandbox.cgroups.written", written)
     groups = Cgroups(process)
+    assert set(groups.places.values()) == ({own} if len(refused) == 1 else set())
     groups.close("none")
     assert wrote == [
         ("cgroup.subtree_control", "+memory +pids"),
-        (f"{LEAF}/cgroup.procs", str(os.getpid())),
+        (f"{LEAF}/cgroup.procs", os.getpid()),
         ("cgroup.subtree_control", "+memory +pids"),
         ("cgroup.subtree_control", "-memory -pids"),
-        ("cgroup.procs", str(os.getpid())),
+        ("cgroup.procs", os.getpid()),
     ]
+    assert not (own / LEAF).exists()
+
+
+def test_a_process_that_is_not_alone_changes_nothing(fake, monkeypatch) -> None:
+    """Controllers cannot be enabled beside other processes, and those stay where they are."""
+    process, own = fake()
+    monkeypatch.setattr("judge.sandbox.cgroups.written", lambda *_: False)
+    assert Cgroups(process).places == {}
+    assert not (own / LEAF).exists()
 
 
 OLD = "40 31 0:{n} / {place}/{name} rw,relatime - cgroup cgroup rw,{name}\n"
@@ -117,7 +128,8 @@ def test_version_1_has_a_place_for_each_controller(tmp_path: Path) -> None:
         "pids": tmp_path / "pids" / "a",
         "cpu": tmp_path / "cpuacct" / "a",
     }
-    assert (groups.hold_memory, groups.count_cpu) == (True, True)
+    shutil.rmtree(tmp_path / "pids")
+    assert Cgroups(process).places == {}  # two of three hold nobody
 
 
 FILES = {
@@ -201,9 +213,10 @@ def test_after_a_killed_judge_keepers_remove_what_it_made(
 
 def test_without_control_groups_nothing_is_counted(tmp_path: Path) -> None:
     # No kernel made the directory of the second one, so it has no cgroup.procs.
-    for cgroup in (Cgroup({}), Cgroup({"memory": f"{tmp_path}/g"})):
+    places = dict.fromkeys(("memory", "pids", "cpu"), f"{tmp_path}/g")
+    for cgroup in (Cgroup({}), Cgroup(places)):
         cgroup.begin(100, 9)
-        assert (cgroup.holds_memory, cgroup.counts_cpu) == (False, False)
+        assert not cgroup.there
         assert (cgroup.memory_mib(), cgroup.cpu_s()) == (0.0, 0.0)
         assert not cgroup.out_of_memory
         cgroup.close()
@@ -291,8 +304,6 @@ time.sleep(0.05)
 
 
 def test_cpu_time_that_no_accounting_sees_is_counted(real: Cgroups, run_bare) -> None:
-    if not real.count_cpu:
-        pytest.skip("no control group counts CPU time")
     assert run_bare(HIDDEN).cpu_s >= 0.3
     assert run_bare("pass").cpu_s < 0.3  # the keeper and earlier runs do not count
 
@@ -313,8 +324,6 @@ print("held")
 
 
 def test_the_kernel_holds_the_memory_of_all_processes(real: Cgroups, run_bare, tmp_path) -> None:
-    if not real.hold_memory:
-        pytest.skip("no control group limits memory")
     facts = run_bare(SPREAD, memory_mib=128)
     assert facts.stopped is Stop.MEMORY
     assert (tmp_path / "out").read_text() == ""
@@ -323,8 +332,6 @@ def test_the_kernel_holds_the_memory_of_all_processes(real: Cgroups, run_bare, t
 
 
 def test_caches_of_files_are_no_memory_of_the_program(real: Cgroups, run_bare, tmp_path) -> None:
-    if not real.hold_memory:
-        pytest.skip("no control group limits memory")
     kind = ["stat", "-f", "-c", "%T", tempfile.gettempdir()]
     if subprocess.run(kind, capture_output=True, text=True, check=True).stdout == "tmpfs\n":
         pytest.skip("scratch files are in memory here")
@@ -342,8 +349,6 @@ def test_caches_of_files_are_no_memory_of_the_program(real: Cgroups, run_bare, t
 
 
 def test_the_number_of_processes_is_limited(real: Cgroups, run_bare, tmp_path) -> None:
-    if "pids" not in real.places:
-        pytest.skip("no control group limits processes")
     code = (
         "import os, time\n"
         "made = 0\n"
@@ -359,7 +364,7 @@ def test_the_number_of_processes_is_limited(real: Cgroups, run_bare, tmp_path) -
 
 
 def test_the_report_says_what_holds(walled_sandbox: Sandbox, uncounted_sandbox: Sandbox) -> None:
-    counted = Cgroups().hold_memory
+    counted = bool(Cgroups().places)
     said = str(walled_sandbox.protection)
     assert said.endswith("with seccomp and control groups") is counted
     uncounted = str(uncounted_sandbox.protection)

@@ -17,29 +17,26 @@ from judge.sandbox.keeper.proc import read
 SLACK_MIB = 16.0  # for the wall's own processes; what is over the limit itself is sampled
 UNLIMITED = -1
 LEAF = "collision-course"  # where the judge itself is, if it had to move
+PROCESSES, CONTROL = "cgroup.procs", "cgroup.subtree_control"
+DISABLE = "-memory -pids"
 
 
 class Cgroup:
-    """The control groups of this process: none of `places` that the kernel refuses.
+    """The control groups of this process.
 
-    places: where to make one, by controller (memory, pids, cpu); with v2 all are the same.
-    Where there is none for a controller, its figures are 0 and its limits do nothing.
+    places: where to make them, by use (memory, pids, cpu); with version 2 all are the same.
+    there: whether the kernel made them. Otherwise all figures are 0, and the limits do nothing.
     """
 
     def __init__(self, places: dict[str, str]) -> None:
-        self._of: dict[str, Path] = {}
-        for controller, place in places.items():
-            directory = Path(f"{place}-{os.getpid()}")
-            try:
+        self._of = {use: Path(f"{place}-{os.getpid()}") for use, place in places.items()}
+        for directory in set(self._of.values()):
+            with contextlib.suppress(OSError):
                 directory.mkdir(exist_ok=True)
-                write(directory / "cgroup.procs", os.getpid())
-            except OSError:
-                with contextlib.suppress(OSError):
-                    directory.rmdir()
-            else:
-                self._of[controller] = directory
-        self.counts_cpu = "cpu" in self._of
-        self.holds_memory = "memory" in self._of
+        if not all(written(place / PROCESSES, os.getpid()) for place in self._of.values()):
+            self.close()
+            self._of = {}
+        self.there = bool(self._of)
         self._own_mib = self._began_mib = self._held_mib()
         self._cpu_began_s = self._kills_began = 0.0
 
@@ -48,7 +45,7 @@ class Cgroup:
         # What an earlier program has left does not raise the limit for long.
         self._own_mib = min(self._held_mib(), self._began_mib + SLACK_MIB)
         most = int((memory_mib + SLACK_MIB + self._own_mib) * 2**20)
-        for controller, name, value in (
+        for use, name, value in (
             ("pids", "pids.max", processes + 1),  # and the keeper
             ("memory", "memory.swap.max", 0),
             ("memory", "memory.max", most),
@@ -57,13 +54,13 @@ class Cgroup:
             ("memory", "memory.limit_in_bytes", most),
             ("memory", "memory.memsw.limit_in_bytes", most),
         ):
-            with contextlib.suppress(OSError):  # a file of the other version
-                write(self._file(controller, name), value)
+            if self.there:
+                written(self._of[use] / name, value)  # False for a file of the other version
         self._cpu_began_s = self._cpu_s()
         self._kills_began = self._kills()
 
     def cpu_s(self) -> float:
-        """Return the CPU seconds used since `begin`, the keeper's own included, if they count."""
+        """Return the CPU seconds used since `begin`, the keeper's own included."""
         return self._cpu_s() - self._cpu_began_s
 
     def memory_mib(self) -> float:
@@ -77,20 +74,17 @@ class Cgroup:
 
     def processes(self) -> int:
         """Return the number of processes besides the keeper."""
-        return len(self._read("memory", "cgroup.procs").split()) - 1
+        return len(self._read("memory", PROCESSES).split()) - 1
 
     def close(self) -> None:
         """Leave and remove the control groups; if the judge was killed, what it made, too."""
-        for directory in dict.fromkeys(self._of.values()):
+        for directory in set(self._of.values()):
             parent, leaf = directory.parent, directory.parent / LEAF
-            if leaf.is_dir() and not read(leaf / "cgroup.procs"):
-                with contextlib.suppress(OSError):
-                    write(parent / "cgroup.subtree_control", "-memory -pids")
+            if leaf.is_dir() and not read(leaf / PROCESSES):
+                written(parent / CONTROL, DISABLE)
             # With version 2, no process may be in the parent while it has controllers enabled.
-            for target in (parent, leaf):
-                with contextlib.suppress(OSError):
-                    write(target / "cgroup.procs", os.getpid())
-                    break
+            if not written(parent / PROCESSES, os.getpid()):
+                written(leaf / PROCESSES, os.getpid())
             for empty in (directory, leaf):
                 with contextlib.suppress(OSError):
                     empty.rmdir()
@@ -111,19 +105,20 @@ class Cgroup:
         events = self._read("memory", "memory.events", "memory.oom_control")
         return _numbers(events).get("oom_kill", 0)
 
-    def _file(self, controller: str, name: str) -> Path:
-        return self._of.get(controller, Path("/nonexistent")) / name
-
-    def _read(self, controller: str, *names: str) -> str:
+    def _read(self, use: str, *names: str) -> str:
         """Return the text of whichever file exists, empty if none does."""
-        texts = (read(self._file(controller, name)) for name in names)
+        texts = (read(self._of[use] / name) for name in names if self._of)
         return next(filter(None, texts), "")
 
 
-def write(path: Path, value: int | str) -> None:
-    """Write to a file of a control group. Raises OSError."""
-    with path.open("r+b", buffering=0) as file:
-        file.write(str(value).encode())
+def written(path: Path, value: int | str) -> bool:
+    """Write to a file of a control group; return whether the kernel took it."""
+    try:
+        with path.open("r+b", buffering=0) as file:
+            file.write(str(value).encode())
+    except OSError:
+        return False
+    return True
 
 
 def _numbers(text: str) -> dict[str, int]:

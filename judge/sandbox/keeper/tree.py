@@ -20,9 +20,9 @@ ORDERLY_END_S = 0.003  # after this time, every process is killed individually
 class Tree:
     """All processes below the keeper, which are those of the one program it runs.
 
-    cpu_s: the largest of three counts. The kernel's accounting misses children that were reaped
+    cpu_s: the larger of two counts. The kernel's accounting misses children that were reaped
     automatically. The sum over all processes at their last sample misses what was used after it.
-    A control group misses nothing, where it counts; then no process is sampled.
+    A control group misses nothing; where there is one, no process is sampled.
     memory_mib: the largest sample; largest_mib: of one reaped process, exact to the page.
     """
 
@@ -39,8 +39,8 @@ class Tree:
         self._seen_s: dict[tuple[int, str], float] = {}
 
     def sample(self, memory_limit_mib: float) -> None:
-        """Sample what lives now: the control group if it tells everything, else each process."""
-        if self._cgroup.holds_memory and self._cgroup.counts_cpu:
+        """Sample what lives now: the control group if there is one, else each process."""
+        if self._cgroup.there:
             self.processes = self._cgroup.processes()
             memory_mib = self._cgroup.memory_mib()
         else:
@@ -50,7 +50,7 @@ class Tree:
             accounted_s = self._reaped_s + sum(each.own_s + each.waited_s for each in live)
             self._seen_s.update({process.identity: process.own_s for process in live})
             self.cpu_s = max(self.cpu_s, accounted_s, sum(self._seen_s.values()))
-        self.memory_mib = max(self.memory_mib, memory_mib, self._cgroup.memory_mib())
+        self.memory_mib = max(self.memory_mib, memory_mib)
         self.cpu_s = max(self.cpu_s, self._counted_s())
 
     def starved_s(self) -> float:
@@ -85,7 +85,7 @@ class Tree:
 
     def _counted_s(self) -> float:
         """Return what the control group counted, without the keeper itself, which is in it."""
-        return self._cgroup.cpu_s() - self._own_s() if self._cgroup.counts_cpu else 0.0
+        return self._cgroup.cpu_s() - self._own_s() if self._cgroup.there else 0.0
 
     def _own_s(self) -> float:
         return time.process_time() - self._own_began_s

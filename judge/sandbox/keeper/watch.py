@@ -43,7 +43,7 @@ def run(request: Request, ahead: Launched | None, cgroup: Cgroup) -> Facts:
         try:
             stopped = watch(launched.pid, pipes, tree, started, limits, cgroup)
         finally:
-            if cgroup.holds_memory:  # what its children hold at the end counts
+            if cgroup.there:  # what its children hold at the end counts
                 tree.sample(limits.memory_mib)
             all_ended = tree.end()
         if stopped in (None, Stop.MEMORY) and cgroup.out_of_memory:
@@ -78,9 +78,7 @@ def watch(
     poll = select.poll()
     for fd in (pidfd, CONTROL, *pipes.open_fds):
         poll.register(fd, select.POLLIN | select.POLLOUT)
-    most_processes = limits.processes
-    if not cgroup.holds_memory:
-        most_processes = min(most_processes, UNLISTED_PROCESSES)
+    most_processes = limits.processes if cgroup.there else min(limits.processes, UNLISTED_PROCESSES)
     next_sample = started + FIRST_SAMPLE_S
     try:
         while True:
