@@ -195,7 +195,7 @@ def test_a_mapped_file_in_scratch_counts_once(run_walled: RunPython) -> None:
 
 
 def sample_of(pid: int, resident_mib: float) -> Process:
-    return Process(pid, "1", f"/nowhere/{pid + 10**8}", 0.0, 0.0, resident_mib, 100.0)
+    return Process(pid, "1", f"/nowhere/{pid + 10**8}", 0.0, 0.0, resident_mib)
 
 
 def test_the_first_process_of_a_wall_counts_if_it_is_taken_over(
