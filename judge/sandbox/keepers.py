@@ -13,9 +13,9 @@ from pathlib import Path
 
 from judge.kit.errors import KitError
 from judge.kit.paths import ROOT
-from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import STARVED_AT_MOST_S, Facts
 from judge.sandbox.keeper import BOOT
+from judge.sandbox.keeper.cgroup import Cgroups
 from judge.sandbox.keeper.protocol import Request, decode_reply, encode
 
 ANSWER_MARGIN_S = 30.0  # extra time for a reply before the keeper counts as lost

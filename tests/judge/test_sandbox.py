@@ -15,10 +15,9 @@ from typing import TYPE_CHECKING
 import pytest
 
 from judge.kit.paths import ROOT
-from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import RunLimits, Stop
 from judge.sandbox.keeper import BOOT
-from judge.sandbox.keeper.cgroup import Cgroup
+from judge.sandbox.keeper.cgroup import Cgroup, Cgroups
 from judge.sandbox.keeper.memory import Memory, proportional_mib
 from judge.sandbox.keeper.pipes import Pipes
 from judge.sandbox.keeper.proc import STATE, Process, fields, look_at

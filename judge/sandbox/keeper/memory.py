@@ -42,10 +42,9 @@ class Memory:
         held_mib = self._held_mib(live)
         resident_mib = [process.resident_mib for process in live]
         largest_mib = max(resident_mib, default=0.0)
-        if sum(resident_mib) - largest_mib <= WALL_MIB:
-            tables = sum(map(tables_mib, live))
-            if held_mib + largest_mib + tables <= limit_mib:
-                return held_mib + largest_mib + tables
+        used_mib = held_mib + largest_mib + sum(map(tables_mib, live))
+        if sum(resident_mib) - largest_mib <= WALL_MIB and used_mib <= limit_mib:
+            return used_mib
         give_up = time.monotonic() + EXACT_AT_MOST_S
         for process in live:
             if process.identity not in self._exact_mib and time.monotonic() < give_up:
