@@ -10,13 +10,12 @@ import sys
 import time
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 from judge.kit.errors import KitError
 from judge.kit.paths import ROOT
-from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import STARVED_AT_MOST_S, Facts
 from judge.sandbox.keeper import BOOT
+from judge.sandbox.keeper.cgroup import Cgroups
 from judge.sandbox.keeper.protocol import Request, decode_reply, encode
 
 ANSWER_MARGIN_S = 30.0  # extra time for a reply before the keeper counts as lost
@@ -31,9 +30,6 @@ class SandboxError(KitError):
 
 class LostKeeperError(SandboxError):
     """The keeper of the run is gone, and with it what it saw."""
-
-    def __init__(self, message: str = "the keeper of the run was lost") -> None:
-        super().__init__(message)
 
 
 class Keeper:
@@ -64,22 +60,19 @@ class Keeper:
 
     def ask(self, request: Request) -> Facts:
         """Send one request and wait for the reply. Raises SandboxError; then the keeper is lost."""
-        longest_s = request.limits.kill_elapsed_s + STARVED_AT_MOST_S
-        give_up = time.monotonic() + longest_s + ANSWER_MARGIN_S
+        longest_s = request.limits.kill_elapsed_s + STARVED_AT_MOST_S + ANSWER_MARGIN_S
+        give_up = time.monotonic() + longest_s
         line = b""
-        try:
+        with contextlib.suppress(OSError, ValueError):  # closed by hang_up in another thread
             self._requests.write(encode(request))
             self._requests.flush()
-            ready: list[Any] = []
-            while not ready and time.monotonic() < give_up:
-                # One second at a time: Python handles a signal only between two waits.
-                ready, _, _ = select.select([self._replies], [], [], 1.0)
-            if ready:
-                line = self._replies.readline()
-        except (OSError, ValueError):  # ValueError: closed by hang_up in another thread
-            pass
+            # One second at a time: Python handles a signal only between two waits.
+            while not select.select([self._replies], [], [], 1.0)[0]:
+                if time.monotonic() > give_up:
+                    raise TimeoutError
+            line = self._replies.readline()
         if not line:
-            raise LostKeeperError
+            raise LostKeeperError("the keeper of the run was lost")
         reply = decode_reply(line)
         if isinstance(reply, str):
             raise SandboxError(reply)

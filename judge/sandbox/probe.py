@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from pathlib import Path
 
 from judge.kit.text import printable_lines
@@ -28,21 +29,15 @@ def walled_sandbox(
     why = "no bwrap is installed"
     for wall in candidates(hidden):
         try:
-            return _tried(Sandbox(wall, keepers))
+            with ExitStack() as unless_it_works:
+                sandbox = unless_it_works.enter_context(Sandbox(wall, keepers))
+                facts = sandbox.run(TRIAL, TRIAL_LIMITS, stdout=sandbox.scratch / "trial")
+                if facts.exit_status != 0:
+                    raise SandboxError(f"a trial run ended with exit status {facts.exit_status}")
+                unless_it_works.pop_all()
+                return sandbox
         except (SandboxError, KeyError) as error:
             why = f"{wall.bwrap}: {printable_lines(str(error).encode(), lines=1)}"
     if without_wall:
         return Sandbox(keepers=keepers)
     raise NoWallError(why)
-
-
-def _tried(sandbox: Sandbox) -> Sandbox:
-    """Return the sandbox after a trial run; close it if that fails. Raises SandboxError."""
-    try:
-        facts = sandbox.run(TRIAL, TRIAL_LIMITS, stdout=sandbox.scratch / "trial")
-        if facts.exit_status != 0:
-            raise SandboxError(f"a trial run ended with exit status {facts.exit_status}")
-    except BaseException:
-        sandbox.close()
-        raise
-    return sandbox

@@ -7,13 +7,13 @@ import secrets
 import tempfile
 import threading
 from collections.abc import Mapping
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
 from signal import SIGKILL
-from typing import Self
 
-from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import Facts, RunLimits
+from judge.sandbox.keeper.cgroup import Cgroups
 from judge.sandbox.keeper.launch import open_to_all
 from judge.sandbox.keeper.protocol import Request
 from judge.sandbox.keeper.remove import remove
@@ -44,7 +44,7 @@ class Command:
     prefixes: tuple[str, ...] = ()
 
 
-class Sandbox:
+class Sandbox(AbstractContextManager["Sandbox"]):
     """A pool of keepers and a scratch directory, both gone when it is closed.
 
     Any number of threads may call `run` at once; each run has a keeper to itself. keepers:
@@ -74,9 +74,6 @@ class Sandbox:
             if isinstance(error, OSError):
                 raise self._no_space(error) from None
             raise
-
-    def __enter__(self) -> Self:
-        return self
 
     def __exit__(self, *_error: object) -> None:
         self.close()

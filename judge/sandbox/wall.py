@@ -1,8 +1,5 @@
-"""The wall around a program, which hides nearly all of this machine from it.
+"""The wall around a program, as bubblewrap is told to build it; see docs/security.md.
 
-Bubblewrap gives every run its own user, pid, network, ipc, uts, cgroup and mount namespaces.
-The program has a read-only system, its own directory, and limited scratch space in memory that
-ends with the run. It has no home, no data, no answers, no network and no capability.
 `judge.sandbox.keeper.launch` builds it; `judge.sandbox.seccomp` makes the system-call filter.
 """
 

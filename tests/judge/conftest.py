@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from judge.kit.paths import ROOT
-from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import Facts, RunLimits
+from judge.sandbox.keeper.cgroup import Cgroups
 from judge.sandbox.probe import NoWallError
 from judge.sandbox.probe import walled_sandbox as find_wall
 from judge.sandbox.sandbox import Command, Sandbox

@@ -13,9 +13,8 @@ from pathlib import Path
 import pytest
 
 from judge.kit.paths import ROOT
-from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import Facts, RunLimits, Stop
-from judge.sandbox.keeper.cgroup import LEAF, SLACK_MIB, Cgroup
+from judge.sandbox.keeper.cgroup import LEAF, SLACK_MIB, Cgroup, Cgroups
 from judge.sandbox.keeper.protocol import Request, decode_reply, encode
 from judge.sandbox.sandbox import Command, Sandbox
 from judge.sandbox.wall import Wall
@@ -86,7 +85,7 @@ def test_a_process_alone_in_its_control_group_moves_below_and_back(
         wrote.append((str(path.relative_to(own)), value))
         return len(wrote) not in refused
 
-    monkeypatch.setattr("judge.sandbox.cgroups.written", written)
+    monkeypatch.setattr("judge.sandbox.keeper.cgroup.written", written)
     groups = Cgroups(process)
     assert set(groups.places.values()) == ({own} if len(refused) == 1 else set())
     groups.close("none")
@@ -103,7 +102,7 @@ def test_a_process_alone_in_its_control_group_moves_below_and_back(
 def test_a_process_that_is_not_alone_changes_nothing(fake, monkeypatch) -> None:
     """Controllers cannot be enabled beside other processes, and those stay where they are."""
     process, own = fake()
-    monkeypatch.setattr("judge.sandbox.cgroups.written", lambda *_: False)
+    monkeypatch.setattr("judge.sandbox.keeper.cgroup.written", lambda *_: False)
     assert Cgroups(process).places == {}
     assert not (own / LEAF).exists()
 

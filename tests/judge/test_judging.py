@@ -20,8 +20,8 @@ from judge.problem.order import save_order
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging, Scale
 from judge.run import run_case
-from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import RunLimits
+from judge.sandbox.keeper.cgroup import Cgroups
 from judge.sandbox.sandbox import Command, Sandbox
 
 PROBLEM = load()

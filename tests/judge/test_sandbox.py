@@ -15,10 +15,9 @@ from typing import TYPE_CHECKING
 import pytest
 
 from judge.kit.paths import ROOT
-from judge.sandbox.cgroups import Cgroups
 from judge.sandbox.facts import RunLimits, Stop
 from judge.sandbox.keeper import BOOT
-from judge.sandbox.keeper.cgroup import Cgroup
+from judge.sandbox.keeper.cgroup import Cgroup, Cgroups
 from judge.sandbox.keeper.memory import Memory, proportional_mib
 from judge.sandbox.keeper.pipes import Pipes
 from judge.sandbox.keeper.proc import STATE, Process, fields, look_at
@@ -195,7 +194,7 @@ def test_a_mapped_file_in_scratch_counts_once(run_walled: RunPython) -> None:
 
 
 def sample_of(pid: int, resident_mib: float) -> Process:
-    return Process(pid, "1", f"/nowhere/{pid + 10**8}", 0.0, 0.0, resident_mib, 100.0)
+    return Process(pid, "1", f"/nowhere/{pid + 10**8}", 0.0, 0.0, resident_mib)
 
 
 def test_the_first_process_of_a_wall_counts_if_it_is_taken_over(

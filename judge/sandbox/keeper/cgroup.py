@@ -1,6 +1,6 @@
-"""The control groups of a keeper and of what it runs, where this user may make some.
+"""Control groups: where this user may make some, and those of a keeper and of what it runs.
 
-The keeper moves into them once, so every program is born there, and no process can leave. The
+A keeper moves into them once, so every program is born there, and no process can leave. The
 kernel counts their CPU time, lists them, and limits their memory, its own included, and number.
 Version 2 has one directory for all controllers, version 1 one for each, with other files.
 Source: Linux, Documentation/admin-guide/cgroup-v2.rst, cgroup-v1/memory.rst, pids.rst
@@ -10,15 +10,63 @@ from __future__ import annotations
 
 import contextlib
 import os
+import time
 from pathlib import Path
 
 from judge.sandbox.keeper.proc import read
 
+ENABLE, DISABLE = "+memory +pids", "-memory -pids"  # version 2 counts CPU time without a controller
+CONTROLLERS = {"memory": "memory", "pids": "pids", "cpu": "cpuacct"}  # of version 1, by use
+PROCESSES, CONTROL = "cgroup.procs", "cgroup.subtree_control"
+LEAF = "collision-course"  # where the judge itself is, if it had to move
 SLACK_MIB = 16.0  # for the wall's own processes; what is over the limit itself is sampled
 UNLIMITED = -1
-LEAF = "collision-course"  # where the judge itself is, if it had to move
-PROCESSES, CONTROL = "cgroup.procs", "cgroup.subtree_control"
-DISABLE = "-memory -pids"
+END_TIMEOUT_S = 2.0
+
+
+class Cgroups:
+    """Where the judge may make them: `places` by use (memory, pids, cpu), empty if one is missing.
+
+    That is below its own control groups: with version 1 if it is root, with version 2 if its own
+    one was delegated to its user. There, only a control group without processes of its own can
+    enable controllers below it. If this process is the only one in its own, it moves into one
+    below, LEAF, and back on close.
+    process: this process's directory in /proc; None: make none.
+    """
+
+    def __init__(self, process: Path | None = Path("/proc/self")) -> None:
+        self._moved: Path | None = None  # where it moved
+        own = _own(process) if process else {}
+        own = {name: place for name, place in own.items() if _may_make(place)}
+        self.places: dict[str, Path] = {}
+        if own.keys() >= set(CONTROLLERS.values()):
+            self.places = {use: own[name] for use, name in CONTROLLERS.items()}
+        elif "" in own and (place := self._enabled(own[""])):
+            self.places = dict.fromkeys(CONTROLLERS, place)
+
+    def close(self, name: str) -> None:
+        """Remove what killed keepers have left (names beginning with `name`), and move back."""
+        give_up = time.monotonic() + END_TIMEOUT_S
+        for place in set(self.places.values()):
+            while (left := list(place.glob(f"{name}-*"))) and time.monotonic() < give_up:
+                for group in left:
+                    with contextlib.suppress(OSError):  # a process is still ending
+                        group.rmdir()
+                time.sleep(0.002)
+        if self._moved:
+            leave(self._moved)
+        self._moved = None
+
+    def _enabled(self, own: Path) -> Path | None:
+        """Return the place in version 2 with its controllers enabled, None if that is refused."""
+        if own.name == LEAF:  # moved already
+            return own.parent
+        if written(own / CONTROL, ENABLE):
+            return own
+        if read(own / PROCESSES).split() == [str(os.getpid())] and entered(own / LEAF):
+            self._moved = own / LEAF
+            return own if written(own / CONTROL, ENABLE) else None
+        return None
 
 
 class Cgroup:
@@ -30,10 +78,7 @@ class Cgroup:
 
     def __init__(self, places: dict[str, str]) -> None:
         self._of = {use: Path(f"{place}-{os.getpid()}") for use, place in places.items()}
-        for directory in set(self._of.values()):
-            with contextlib.suppress(OSError):
-                directory.mkdir(exist_ok=True)
-        if not all(written(place / PROCESSES, os.getpid()) for place in self._of.values()):
+        if not all(map(entered, self._of.values())):
             self.close()
             self._of = {}
         self.there = bool(self._of)
@@ -77,17 +122,9 @@ class Cgroup:
         return len(self._read("memory", PROCESSES).split()) - 1
 
     def close(self) -> None:
-        """Leave and remove the control groups; if the judge was killed, what it made, too."""
+        """Leave and remove the control groups."""
         for directory in set(self._of.values()):
-            parent, leaf = directory.parent, directory.parent / LEAF
-            if leaf.is_dir() and not read(leaf / PROCESSES):
-                written(parent / CONTROL, DISABLE)
-            # With version 2, no process may be in the parent while it has controllers enabled.
-            if not written(parent / PROCESSES, os.getpid()):
-                written(leaf / PROCESSES, os.getpid())
-            for empty in (directory, leaf):
-                with contextlib.suppress(OSError):
-                    empty.rmdir()
+            leave(directory)
 
     def _held_mib(self) -> float:
         """Return the memory that is not a cache of files: such caches go when memory is short."""
@@ -111,6 +148,29 @@ class Cgroup:
         return next(filter(None, texts), "")
 
 
+def entered(directory: Path) -> bool:
+    """Make a control group if it is not there, and enter it; return whether that worked."""
+    with contextlib.suppress(OSError):
+        directory.mkdir(exist_ok=True)
+    return written(directory / PROCESSES, os.getpid())
+
+
+def leave(directory: Path) -> None:
+    """Leave a control group and remove it; the last one that leaves removes LEAF beside it, too.
+
+    That is the judge, or if it was killed, a keeper.
+    """
+    parent, leaf = directory.parent, directory.parent / LEAF
+    if leaf.is_dir() and read(leaf / PROCESSES).split() in ([], [str(os.getpid())]):
+        written(parent / CONTROL, DISABLE)
+    # With version 2, no process may be in the parent while it has controllers enabled.
+    if not written(parent / PROCESSES, os.getpid()):
+        written(leaf / PROCESSES, os.getpid())
+    for empty in (directory, leaf):
+        with contextlib.suppress(OSError):
+            empty.rmdir()
+
+
 def written(path: Path, value: int | str) -> bool:
     """Write to a file of a control group; return whether the kernel took it."""
     try:
@@ -125,3 +185,27 @@ def _numbers(text: str) -> dict[str, int]:
     """Return the numbers of a file of lines `name number`."""
     pairs = (line.split() for line in text.splitlines())
     return {pair[0]: int(pair[1]) for pair in pairs if len(pair) == 2}
+
+
+def _own(process: Path) -> dict[str, Path]:
+    """Return the directories of the process's control groups by controller, "" for version 2."""
+    mounted: dict[str, tuple[str, str]] = {}
+    for mount in read(process / "mountinfo").splitlines():
+        before, _, after = mount.partition(" - ")
+        root, place = before.split(" ")[3:5]
+        kind, _, options = after.split(" ", 2)
+        names = [""] if kind == "cgroup2" else options.split(" ")[-1].split(",")
+        if kind in ("cgroup", "cgroup2"):
+            mounted |= dict.fromkeys(names, (root, place))
+    found = {}
+    for line in read(process / "cgroup").splitlines():
+        _, names_here, own = line.split(":", 2)
+        for name in names_here.split(","):
+            root, place = mounted.get(name, ("", ""))
+            if root and Path(own).is_relative_to(root):
+                found[name] = Path(place) / Path(own).relative_to(root)
+    return found
+
+
+def _may_make(directory: Path) -> bool:
+    return all(os.access(path, os.W_OK) for path in (directory, directory / PROCESSES))

@@ -124,19 +124,15 @@ def become(request: Request, standard: tuple[int, int, int], report: int) -> Non
     if request.wall:
         os.dup2(report, REPORT)
         program, argv = request.wall.bwrap, walled(request.wall, argv, limits.processes)
-        stage(request.wall.staged)
+        if request.wall.staged:
+            stage(request.wall.staged)
     if request.user is not None:
-        become_user(request.user)
+        os.setgroups([])
+        os.setresgid(request.user, request.user, request.user)
+        os.setresuid(request.user, request.user, request.user)
     os.chdir(request.cwd)
     LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # last: changing the user undoes it
     os.execve(program, argv, request.env)
-
-
-def become_user(user: int) -> None:
-    """Change from root to a user who owns nothing."""
-    os.setgroups([])
-    os.setresgid(user, user, user)
-    os.setresuid(user, user, user)
 
 
 def walled(wall: WallRequest, argv: Sequence[str], processes: int) -> list[str]:
@@ -159,27 +155,21 @@ def stage(sources: Sequence[str]) -> None:
 
     Raises OSError.
     """
-    if not sources:
-        return
-    _check(LIBC.unshare(CLONE_NEWNS), "unshare")
-    _mount("none", "/", "", MS_REC | MS_PRIVATE)
-    _mount("stage", STAGE, "tmpfs", MS_NOSUID | MS_NODEV)
+    _call("unshare", CLONE_NEWNS)
+    _call("mount", b"none", b"/", None, MS_REC | MS_PRIVATE, None)
+    _call("mount", b"stage", STAGE.encode(), b"tmpfs", MS_NOSUID | MS_NODEV, None)
     Path(STAGE).chmod(0o755)
     for number, source in enumerate(sources):
         target = Path(STAGE, str(number))
         target.mkdir()
-        _mount(source, str(target), "", MS_BIND)
+        _call("mount", os.fsencode(source), bytes(target), None, MS_BIND, None)
 
 
-def _mount(source: str, target: str, kind: str, flags: int) -> None:
-    done = LIBC.mount(source.encode(), target.encode(), kind.encode(), flags, None)
-    _check(done, f"mount {source}")
-
-
-def _check(done: int, what: str) -> None:
-    if done:
+def _call(name: str, *arguments: bytes | int | None) -> None:
+    """Call a function of the C library. Raises OSError."""
+    if getattr(LIBC, name)(*arguments):
         error = ctypes.get_errno()
-        raise OSError(error, f"{what}: {os.strerror(error)}")
+        raise OSError(error, f"{name}: {os.strerror(error)}")
 
 
 def _inherited(content: bytes) -> int:

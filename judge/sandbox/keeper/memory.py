@@ -42,10 +42,9 @@ class Memory:
         held_mib = self._held_mib(live)
         resident_mib = [process.resident_mib for process in live]
         largest_mib = max(resident_mib, default=0.0)
-        if sum(resident_mib) - largest_mib <= WALL_MIB:
-            tables = sum(map(tables_mib, live))
-            if held_mib + largest_mib + tables <= limit_mib:
-                return held_mib + largest_mib + tables
+        used_mib = held_mib + largest_mib + sum(map(tables_mib, live))
+        if sum(resident_mib) - largest_mib <= WALL_MIB and used_mib <= limit_mib:
+            return used_mib
         give_up = time.monotonic() + EXACT_AT_MOST_S
         for process in live:
             if process.identity not in self._exact_mib and time.monotonic() < give_up:
@@ -61,20 +60,15 @@ class Memory:
         """Return what the scratch file systems and sockets behind the wall hold, as seen there."""
         for process in live if self._scratch else ():
             with contextlib.suppress(OSError):
-                return self._seen_mib(process)
+                seen = [os.statvfs(f"{process.place}/root{place}") for place in self._scratch]
+                sizes = [each.f_blocks * each.f_frsize for each in seen]
+                if sizes != list(self._scratch.values()):
+                    continue  # it is outside the wall
+                held = sum((each.f_blocks - each.f_bfree) * each.f_frsize for each in seen)
+                held += sum((each.f_files - each.f_ffree) * INODE_BYTES for each in seen)
+                sockets = read(f"{process.place}/net/sockstat").split()  # sockets: used 8 ...
+                return (held + int(sockets[2]) * SOCKET_BYTES if sockets else held) / 2**20
         return 0.0
-
-    def _seen_mib(self, process: Process) -> float:
-        """Return what `process` sees to be held. Raises OSError if it is outside the wall."""
-        held = 0
-        for place, size in self._scratch.items():
-            seen = os.statvfs(f"{process.place}/root{place}")
-            if seen.f_blocks * seen.f_frsize != size:
-                raise OSError
-            held += (seen.f_blocks - seen.f_bfree) * seen.f_frsize
-            held += (seen.f_files - seen.f_ffree) * INODE_BYTES
-        sockets = read(f"{process.place}/net/sockstat").split()  # sockets: used 8 ...
-        return (held + int(sockets[2]) * SOCKET_BYTES if sockets else held) / 2**20
 
 
 def proportional_mib(process: Process, without_scratch: bool) -> float:
@@ -106,8 +100,7 @@ def distinct(processes: Sequence[Process]) -> list[Process]:
     """Leave out processes that run in the memory of another, as between vfork and exec."""
     kept: list[Process] = []
     for process in processes:
-        alike = (other for other in kept if other.mapped_mib == process.mapped_mib)
-        if not any(_same_memory(process, other) for other in alike):
+        if not any(_same_memory(process, other) for other in kept):
             kept.append(process)
     return kept
 

@@ -14,7 +14,7 @@ PAGE_MIB = os.sysconf("SC_PAGE_SIZE") / 2**20
 
 # Indices into `fields`; the states of ended processes, and a flag. Source: proc(5).
 STATE, FLAGS, USER, SYSTEM, WAITED_USER, WAITED_SYSTEM = 0, 6, 11, 12, 13, 14
-THREADS, STARTED, MAPPED, RESIDENT = 17, 19, 20, 21
+THREADS, STARTED, RESIDENT = 17, 19, 21
 ENDED, EXITING = "ZX", 0x4
 
 
@@ -56,7 +56,7 @@ class Process(NamedTuple):
 
     place: its directory in /proc; if its first thread has ended, which then shows no memory,
     that of another thread. own_s, waited_s: CPU seconds, its own and those of the children
-    that it reaped. mapped_mib: its address space, used or not.
+    that it reaped.
     """
 
     pid: int
@@ -65,7 +65,6 @@ class Process(NamedTuple):
     own_s: float
     waited_s: float
     resident_mib: float
-    mapped_mib: float
 
     @property
     def identity(self) -> tuple[int, str]:
@@ -91,7 +90,6 @@ def look_at(pid: int) -> Process | None:
         (int(stat[USER]) + int(stat[SYSTEM])) * TICK_S,
         (int(stat[WAITED_USER]) + int(stat[WAITED_SYSTEM])) * TICK_S,
         int(memory[RESIDENT]) * PAGE_MIB,
-        int(memory[MAPPED]) / 2**20,
     )
 
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
-import shutil
 import subprocess
 
 
@@ -13,9 +11,5 @@ def remove(directory: str | os.PathLike[str]) -> None:
 
     Only files of other users can be left; they are not reported.
     """
-    with contextlib.suppress(RecursionError):
-        shutil.rmtree(directory, ignore_errors=True)
-    if os.path.lexists(directory):
-        script = 'chmod -R u+rwx -- "$0"; rm -rf -- "$0"'
-        command = ("/bin/sh", "-c", script, os.fspath(directory))
-        subprocess.run(command, stderr=subprocess.DEVNULL, check=False)
+    script = 'chmod -R u+rwx -- "$0"; rm -rf -- "$0"'
+    subprocess.run(("/bin/sh", "-c", script, directory), stderr=subprocess.DEVNULL, check=False)

@@ -67,7 +67,13 @@ def serve(cgroup: Cgroup) -> bool:
         if ahead and (command != last or ahead.ended):
             discard(ahead, cgroup)
             ahead = None
-        reply = answer(request, ahead, cgroup)
+        reply: Facts | str
+        try:
+            reply = run(request, ahead, cgroup)
+        except RunError as error:
+            reply = str(error)
+        except OSError as error:
+            reply = f"{error.filename or request.stdout}: {error.strerror}"
         os.write(1, encode(reply))
         if isinstance(reply, str) or not reply.all_ended:
             return False
@@ -79,16 +85,6 @@ def serve(cgroup: Cgroup) -> bool:
     if ahead:
         discard(ahead, cgroup)
     return True
-
-
-def answer(request: Request, ahead: Launched | None, cgroup: Cgroup) -> Facts | str:
-    """Return the facts of a run, or why it could not be made. Raises JudgeGoneError."""
-    try:
-        return run(request, ahead, cgroup)
-    except RunError as error:
-        return str(error)
-    except OSError as error:
-        return f"{error.filename or request.stdout}: {error.strerror}"
 
 
 def discard(launched: Launched, cgroup: Cgroup) -> None:
