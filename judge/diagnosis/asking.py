@@ -16,6 +16,7 @@ GALLERY_LIMIT_S = 2.0  # CPU seconds for all scenes together
 SCENE_LIMIT_S = 0.5  # for the scenes of one lesson, asked alone
 ELAPSED_FACTOR = 4.0  # for a program that sleeps
 CHECKED_ALONE = 6  # scenes that are asked again, each alone
+ALONE_OF_LESSON, ALONE_AT_MOST = 2, 40  # scenes asked alone when a program is out of step
 STALLS = 4  # runs that time out before the rest is left unasked
 
 Attempts = Callable[[Iterable[bytes], RunLimits], Iterator[Attempt]]
@@ -75,7 +76,7 @@ def ask(gallery: Gallery, attempts: Attempts, limits: RunLimits) -> Answers:
 
 
 def _apart(gallery: Gallery, attempts: Attempts, limits: RunLimits) -> str:
-    """Ask the scenes of each lesson in a file of their own, and those that fail there alone.
+    """Ask the scenes of each lesson in a file of their own, and some that fail there alone.
 
     If not one of a few scenes is answered, nothing more is asked.
     """
@@ -95,7 +96,8 @@ def _apart(gallery: Gallery, attempts: Attempts, limits: RunLimits) -> str:
             for index, letter in zip(group, right, strict=True):
                 found[index] = letter
         else:
-            again += group
+            again += group[:ALONE_OF_LESSON]
+    again = again[:ALONE_AT_MOST]
     answers = _alone([gallery.scenes[i] for i in again], attempts, limits)
     for index, letter in zip(again, answers, strict=True):
         found[index] = letter

@@ -82,7 +82,8 @@ def _lessons_of_shape(gallery: Gallery, answers: Answers) -> list[str]:
         if len(set(answers.letters)) == 1 or answers.letters == flipped:
             lessons.append(ANSWERS)
         return lessons
-    right = answers.letters == gallery.expected
+    asked_some = set(answers.letters) != {NOT_ASKED}
+    right = asked_some and not wrong_scenes(gallery, answers.letters)
     crashed = whole.judgement.verdict is not Verdict.AC
     if crashed and found[: len(gallery.scenes)] == gallery.expected and len(found) == asked:
         return [EXIT_STATUS]
