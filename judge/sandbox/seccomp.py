@@ -1,10 +1,8 @@
 """The system-call filter of the wall, assembled here without a library.
 
-It refuses calls that a contest program never needs and an attacker could use. They fail with
-EPERM; those whose arguments the filter cannot see fail with ENOSYS, so that libraries use older
-ones. Calls that need a capability, such as mount, are left to the kernel: no program has one, or
-can get one. Children of a process that ignores SIGCHLD are not charged to it. So unless a control
-group counts CPU time, no program may ignore it: the call seems to succeed.
+Refused calls fail with EPERM; those whose arguments the filter cannot see fail with ENOSYS, so
+that libraries use older ones. Children of a process that ignores SIGCHLD are not charged to it.
+So unless a control group counts CPU time, no program may ignore it: the call seems to succeed.
 Source: Linux, Documentation/userspace-api/seccomp_filter.rst; linux/filter.h.
 """
 
