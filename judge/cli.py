@@ -74,6 +74,9 @@ def _command(arguments: Sequence[str] | None, make_search: MakeSearch | None) ->
         return EXIT_ERROR
     if make_search is None:
         return _judge(asked, None, "")
+    for option, value in (("--seed", asked.seed), ("--add", asked.add)):
+        if value not in (None, False) and not asked.explain:
+            raise UsageError(f"{option}: expected --explain with it, found none")
     if not asked.explain:
         return _judge(asked, None, EXPLAIN)
     return _judge(asked, make_search(asked.seed, asked.add), "")
@@ -107,6 +110,8 @@ def _judge(asked: argparse.Namespace, search: Search | None, hint: str) -> int:
     with live(console, problem.feedback) as events:
         judging = judge(submission, problem, options, events=events, search=search)
     permitted = told(judging, problem.feedback)
+    if search is not None and judging.verdict is Verdict.AC:
+        console.print("accepted: there is nothing to explain")
     said = hint if problem.feedback.counterexample and judging.verdict not in UNEXPLAINED else ""
     print_report(console, permitted, explain=search is not None, verbose=asked.verbose, hint=said)
     for write in reports:

@@ -7,7 +7,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from judge.diagnosis.diagnose import diagnose
+from judge.diagnosis.diagnose import after_example, diagnose
 from judge.diagnosis.gallery import load_gallery
 from judge.explanation import Counterexample
 from judge.kept import KeptVerdicts
@@ -20,6 +20,7 @@ from judge.machine import kept_scale
 from judge.pool import Job, Pending, Pool, Ready
 from judge.problem.data import Data, load_data
 from judge.problem.declaration import Problem
+from judge.problem.given import wrong_answer_in
 from judge.problem.order import judging_order
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging, Scale, first_failure, group_results, not_run
@@ -156,7 +157,10 @@ def _explained(judging: Judging, failure: Failure, search: Search | None) -> Jud
     problem = failure.problem
     try:
         failure.say("looking for the lesson")
-        found = diagnose(load_gallery(), failure.attempts, failure.limits, problem, failure.cases)
+        if doubt := _doubt(judging.first_failure):
+            return replace(judging, unexplained=doubt)
+        gallery = load_gallery()
+        found = diagnose(gallery, failure.attempts, failure.limits, problem, failure.cases)
         judging = replace(judging, diagnosis=found)
         if search is None or not problem.feedback.counterexample:
             return judging
@@ -165,7 +169,18 @@ def _explained(judging: Judging, failure: Failure, search: Search | None) -> Jud
         return replace(judging, unexplained=str(error))
     if isinstance(example, str):
         return replace(judging, unexplained=example)
-    return replace(judging, counterexample=example)
+    if found is not None:
+        found = after_example(gallery, found, example)
+    return replace(judging, diagnosis=found, counterexample=example)
+
+
+def _doubt(result: CaseResult | None) -> str:
+    """Return why the answer file of a failed case is itself in doubt; the kit's own never are."""
+    if result is None or result.mismatch is None or result.case.input.is_relative_to(DATA):
+        return ""
+    if result.mismatch.expected is None:
+        return ""
+    return wrong_answer_in(result.case, result.mismatch.scenario)
 
 
 def _judging(

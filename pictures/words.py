@@ -10,7 +10,7 @@ from gen.scenario import Scenario
 from pictures.exact.meeting import ExactPoint, Feature
 from pictures.moment import Approach, Contact, Kind, decisive
 
-EXACT_CHARS = 16  # a longer fraction is shown as a decimal
+EXACT_CHARS = 9  # a longer fraction is shown as a decimal; whole numbers are exact
 DIGITS = 3  # significant ones of a distance
 
 
@@ -112,7 +112,7 @@ def shown(value: Fraction) -> str:
     ('7/2', '≈ 124999998.8734')
     """
     exact = str(value)
-    if len(exact) <= EXACT_CHARS:
+    if value.denominator == 1 or len(exact) <= EXACT_CHARS:
         return exact
     return f"≈ {float(value):.4f}".rstrip("0").removesuffix(".")
 

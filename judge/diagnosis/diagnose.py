@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from judge.diagnosis.asking import Answers, Attempts, Steadiness, ask
-from judge.diagnosis.gallery import Gallery
+from judge.diagnosis.gallery import NOT_ASKED, Gallery
 from judge.diagnosis.ranking import known_alike, missed_lessons, wrong_scenes
 from judge.diagnosis.shape import has_other_words, letters, remark_on
-from judge.explanation import Diagnosis, MissedLesson
+from judge.explanation import Counterexample, Diagnosis, MissedLesson
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult
@@ -17,6 +18,9 @@ from judge.sandbox.facts import RunLimits
 # Lessons that no scene teaches: they show in how the output looks, or in the exit status.
 ANSWERS, CHANCE, SEPARATE = "answers", "chance", "separate-scenarios"
 ONE_LINE_EACH, EXIT_STATUS = "one-line-each", "exit-status"
+PRODUCTS, EXACT = "products", "exact"
+PRODUCTS_FROM, PRODUCTS_BELOW = 8_000, 150_000  # numbers in whose products 32 bits overflow first
+FEW = 0.1  # of all scenes
 DIAGNOSED = (Verdict.WA, Verdict.RTE)
 
 
@@ -43,6 +47,7 @@ def diagnose(
 
 def read(gallery: Gallery, answers: Answers) -> Diagnosis:
     """Return what a program's answers to the gallery say. Pure."""
+    wrong = wrong_scenes(gallery, answers.letters)
     by_scenes = missed_lessons(gallery, answers.letters)
     by_shape = [
         MissedLesson(lesson, gallery.lessons[lesson].sentence, ())
@@ -55,10 +60,10 @@ def read(gallery: Gallery, answers: Answers) -> Diagnosis:
         lessons = tuple(sorted(lessons, key=lambda lesson: lesson.id not in missed))
     if by_shape and by_shape[0].id in (ANSWERS, CHANCE):
         lessons = tuple(by_shape)  # the scenes say nothing about such a program
-    elif not answers.in_step and by_scenes and len(by_scenes) <= 2:
+    elif not answers.in_step and len(wrong) <= FEW * len(gallery.scenes):
         lessons = (*by_scenes, *by_shape)  # it is out of step because of a few scenes
-    wrong = wrong_scenes(gallery, answers.letters)
-    return Diagnosis(lessons, like, _remark(gallery, answers), len(gallery.scenes), len(wrong))
+    count = len(gallery.scenes) if set(answers.letters) == {NOT_ASKED} else len(wrong)
+    return Diagnosis(lessons, like, _remark(gallery, answers), len(gallery.scenes), count)
 
 
 def _lessons_of_shape(gallery: Gallery, answers: Answers) -> list[str]:
@@ -77,7 +82,7 @@ def _lessons_of_shape(gallery: Gallery, answers: Answers) -> list[str]:
         if len(set(answers.letters)) == 1 or answers.letters == flipped:
             lessons.append(ANSWERS)
         return lessons
-    right = not wrong_scenes(gallery, answers.letters)
+    right = answers.letters == gallery.expected
     crashed = whole.judgement.verdict is not Verdict.AC
     if crashed and found[: len(gallery.scenes)] == gallery.expected and len(found) == asked:
         return [EXIT_STATUS]
@@ -94,6 +99,8 @@ def _remark(gallery: Gallery, answers: Answers) -> str:
         scenes = [*gallery.scenes, *(gallery.scenes[index] for index in gallery.echoes)]
         expected = "".join(scene.answer[0] for scene in scenes)
         return remark_on(whole.output, expected, [s.obstacles for s in scenes])
+    if set(answers.letters) == {NOT_ASKED}:
+        return f"It answers no scene of the gallery, not even alone: {whole.judgement.message}"
     return ""
 
 
@@ -101,18 +108,44 @@ def what_is_left(problem: Problem, cases: Sequence[CaseResult]) -> str:
     """Return a sentence for a program that answers the whole gallery correctly. Pure."""
     bounds, small = problem.constraints, _small_groups(problem)
     failed = [result for result in cases if result.verdict in DIAGNOSED]
-    right = "It answers every tiny scene of the gallery correctly. "
+    right = "It answers every tiny scene of the gallery correctly."
     sizes = (
         f"(up to {bounds.max_vertices:,} vertices and {bounds.max_scenarios:,} scenarios in a file)"
     )
+    if not all(result.case.group in problem.group_names for result in failed):
+        return right
     if all(result.verdict is Verdict.RTE for result in failed):
-        return f"{right}It crashes on larger files: look at array sizes and recursion {sizes}."
+        return f"{right} It crashes on larger files: look at array sizes and recursion {sizes}."
     if any(result.case.group in small for result in failed):
         return (
-            f"{right}It fails on small files, too: what is left is precision (coordinates go up to "
-            f"{bounds.max_coordinate:,}, so their products go beyond 2^53), or a rare position."
+            f"{right} It fails on small files, too: look for rounding or overflow (coordinates go "
+            f"up to {bounds.max_coordinate:,}) and for rare positions."
         )
-    return f"{right}It fails on large files only: look at fixed sizes and limits on steps {sizes}."
+    return f"{right} It fails on large files only: look at fixed sizes and limits on steps {sizes}."
+
+
+def after_example(gallery: Gallery, diagnosis: Diagnosis, example: Counterexample) -> Diagnosis:
+    """Return the diagnosis in the light of a smallest counterexample. Pure.
+
+    Numbers do not shrink below what a bug needs: near those whose products just exceed 32
+    bits, doubles are still exact.
+    """
+    largest = max(map(abs, map(int, example.input.split())))
+    if any(lesson.id != EXACT for lesson in diagnosis.lessons):
+        return diagnosis
+    if PRODUCTS_FROM <= largest < PRODUCTS_BELOW:
+        products = MissedLesson(PRODUCTS, gallery.lessons[PRODUCTS].sentence, ())
+        remark = (
+            f"Its smallest counterexample has numbers of {largest:,}: 32 bits are exceeded there."
+        )
+        return replace(diagnosis, lessons=(products, *diagnosis.lessons), remark=remark)
+    if not diagnosis.lessons and not diagnosis.wrong and largest < PRODUCTS_FROM:
+        remark = (
+            "It answers every tiny scene of the gallery correctly, but not the small input below: "
+            "its numbers are small, so it is no overflow. Look for what is special in it."
+        )
+        return replace(diagnosis, remark=remark)
+    return diagnosis
 
 
 def _small_groups(problem: Problem) -> frozenset[str]:

@@ -46,7 +46,10 @@ def missed_lessons(
             continue
         explained = left & _explained(gallery, lesson, known)
         left -= explained
-        names = tuple(gallery.scenes[index].name for index in sorted(explained))
+        names = tuple(
+            gallery.scenes[i].name
+            for i in sorted(explained, key=lambda i: (i not in own[lesson], i))
+        )
         told.append(MissedLesson(lesson, gallery.lessons[lesson].sentence, names))
     return tuple(told)
 

@@ -33,7 +33,7 @@ def start(module, script=None):  # type: (str, str | None) -> None
         if os.path.lexists(str(python)):
             refuse(path.name, "the Python of .venv is gone: run 'make setup'")
     if sys.version_info < MINIMUM or not all(map(find_spec, PACKAGES)):
-        refuse(path.name, "the kit is not set up: run 'make setup' first")
+        refuse(path.name, f"the kit is not set up: run 'make -C {ROOT} setup' first")
     try:
         main = import_module(module).main
     except KeyboardInterrupt:

@@ -50,6 +50,22 @@ def make_answers(directory: Path) -> Iterator[Path]:
         yield path.with_suffix(".ans")
 
 
+def wrong_answer_in(case: Case, scenario: int) -> str:
+    """Return a sentence if the answer file disagrees with the reference in a scenario, else "".
+
+    Raises ProgramError, OSError.
+    """
+    if not _is_input(case.input):
+        return ""
+    content = case.input.read_bytes()
+    output = run_trusted(REFERENCE.name, python_command(REFERENCE), content)
+    right = read_answers(REFERENCE.name, output, _scenarios(content))[scenario - 1]
+    given = case.answer.read_text(encoding="ascii").split()[scenario - 1].upper()
+    if given == right:
+        return ""
+    return f"{case.answer}: scenario {scenario}: the file says {given}, the reference says {right}"
+
+
 def _is_input(path: Path) -> bool:
     """Tell whether a file begins as an input of this problem: `t`, then `m k`."""
     with contextlib.suppress(OSError, ValueError), path.open("rb") as file:

@@ -20,6 +20,7 @@ from judge.reports.words import (
     headline,
     last_lines,
     like_sentence,
+    missed_title,
     page_of,
     see_it,
     shown,
@@ -28,6 +29,7 @@ from judge.reports.words import (
 )
 from judge.results import CaseResult, Judging
 
+FEW_SCENES = 5
 FEW_LESSONS = 3
 TITLE = "bold"
 
@@ -88,14 +90,19 @@ def _failure_lines(failure: CaseResult, *, smaller: bool, verbose: bool) -> Iter
 def _diagnosis_lines(diagnosis: Diagnosis, *, explain: bool) -> Iterator[str | Text]:
     lessons = diagnosis.lessons if explain else diagnosis.lessons[:FEW_LESSONS]
     if lessons:
-        yield Text(f"what it misses ({wrong_scenes(diagnosis)}):", style=TITLE)
+        yield Text(f"{missed_title(diagnosis)}:", style=TITLE)
     for number, lesson in enumerate(lessons, 1):
         yield f"  {number}. {printable_name(lesson.sentence)}"
         if explain and lesson.scenes:
-            yield Text(f"     scenes: {', '.join(map(printable_name, lesson.scenes))}", style="dim")
+            some = ", ".join(map(printable_name, lesson.scenes[:FEW_SCENES]))
+            more = len(lesson.scenes) - FEW_SCENES
+            rest = f" and {more} more" if more > 0 else ""
+            yield Text(f"     scenes: {some}{rest}", style="dim")
             yield Text(f"     play with it: {page_of(lesson.scenes[0])}", style="dim")
     if more := len(diagnosis.lessons) - len(lessons):
         yield Text(f"  ({more} more: --explain)", style="dim")
+    if lessons and any(lesson.scenes for lesson in lessons):
+        yield Text(f"  {wrong_scenes(diagnosis)}", style="dim")
     for sentence in (like_sentence(diagnosis), printable_name(diagnosis.remark)):
         if sentence:
             yield f"  {sentence}" if lessons else sentence

@@ -49,6 +49,7 @@ def to_html(judging: Judging) -> bytes:
         as_input=words.as_input,
         shown=words.shown,
         see_it=words.see_it,
+        missed_title=words.missed_title,
         wrong_scenes=words.wrong_scenes,
         like_sentence=words.like_sentence,
         size_of=words.size_of,

@@ -67,12 +67,17 @@ def page_of(scene: str) -> str:
     return f"{EXPLORER.as_uri()}#gallery={quote(scene)}"
 
 
+def missed_title(diagnosis: Diagnosis) -> str:
+    """Return the title over the missed lessons: sure only if a known program answers alike."""
+    return "what it misses" if diagnosis.like else "what it probably misses, most likely first"
+
+
 def wrong_scenes(diagnosis: Diagnosis) -> str:
     """Return how many scenes of the gallery are answered wrongly, as a sentence."""
-    return (
-        f"it answers {diagnosis.wrong} of the {counted(diagnosis.scenes, 'tiny scene')} "
-        "of the gallery wrongly"
-    )
+    scenes = f"{counted(diagnosis.scenes, 'tiny scene')} of the gallery"
+    if diagnosis.wrong == 0:
+        return f"each of the {scenes}, asked alone, gets the right answer"
+    return f"it answers {diagnosis.wrong} of the {scenes} wrongly"
 
 
 def like_sentence(diagnosis: Diagnosis) -> str:

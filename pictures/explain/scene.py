@@ -174,7 +174,7 @@ def _arrow(matter: Matter, view: View, group: drawsvg.Group) -> None:
     """Draw the move as an arrow from the middle of the robot's box at its start."""
     xs, ys = zip(*matter.robot, strict=True)
     dx, dy = matter.scenario.move
-    x, y = (min(xs) + max(xs)) // 2, (min(ys) + max(ys)) // 2
+    x, y = Fraction(min(xs) + max(xs), 2), Fraction(min(ys) + max(ys), 2)
     start, end = view.place(x, y), view.place(x + dx, y + dy)
     arrow(group, start, end)
 

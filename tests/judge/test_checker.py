@@ -184,7 +184,8 @@ def test_before_set_up(tmp_path: Path) -> None:
     command = [python, "-S", str(tmp_path / "checker.py"), "x.py"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=60)
     assert done.returncode == 2
-    assert done.stderr == "checker.py: the kit is not set up: run 'make setup' first\n"
+    setup = f"run 'make -C {tmp_path} setup' first"
+    assert done.stderr == f"checker.py: the kit is not set up: {setup}\n"
 
 
 def test_a_broken_declaration(source: Source, tmp_path: Path) -> None:

@@ -310,7 +310,7 @@ def elsewhere(request: pytest.FixtureRequest) -> Iterator[Path]:
     except OSError:
         pytest.skip(f"this user may not write to {request.param}")
     try:
-        for name in ("judge", "stress", "data/sample", "data/secret/static"):
+        for name in ("judge", "stress", "data/sample", "data/gallery", "data/secret/static"):
             shutil.copytree(ROOT / name, kit / name)
         for name in ("checker.py", "problem.toml", "solution.py"):
             shutil.copy(ROOT / name, kit / name)

@@ -3,7 +3,7 @@
 import pytest
 
 from judge.decide import Judgement
-from judge.diagnosis.asking import STALLS, Steadiness, ask
+from judge.diagnosis.asking import CHECKED_ALONE, STALLS, Steadiness, ask
 from judge.diagnosis.diagnose import read
 from judge.diagnosis.gallery import NO_ANSWER, NOT_ASKED, Gallery, Lesson, Scene
 from judge.problem.verdict import Verdict
@@ -105,7 +105,7 @@ def test_a_crash_on_few_scenes_is_found_and_the_others_are_answered():
     assert answers.letters == f"{NO_ANSWER * 2}NNNNYN"
     assert not answers.in_step
     assert named(answers) == ["no-obstacles"]
-    assert program.runs == 1 + len(TAUGHT) + 2
+    assert program.runs == 1 + CHECKED_ALONE + len(TAUGHT) + 2
 
 
 def test_a_program_that_keeps_its_answer_depends_on_the_scenes_before():
@@ -156,9 +156,21 @@ def test_an_endless_program_is_not_asked_forever():
         raise TimeoutError
 
     answers, program = asked(hangs)
-    assert program.runs == 1 + STALLS + STALLS
-    assert NOT_ASKED in answers.letters or len(SCENES) <= STALLS * 2
+    assert program.runs == 1 + STALLS
+    assert set(answers.letters) == {NOT_ASKED}
     assert not answers.in_step
+
+
+def test_a_program_that_never_answers_is_told_that_and_no_lesson():
+    def crashes(_rows):
+        raise ZeroDivisionError
+
+    answers, program = asked(crashes)
+    assert program.runs == 1 + CHECKED_ALONE
+    diagnosis = read(GALLERY, answers)
+    assert diagnosis.lessons == ()
+    assert diagnosis.remark == "It answers no scene of the gallery, not even alone: exit status 1"
+    assert diagnosis.wrong == len(SCENES)
 
 
 def test_answers_that_are_all_swapped_miss_the_meaning_of_the_words():

@@ -5,8 +5,9 @@ from pathlib import Path
 import pytest
 
 from judge.decide import Judgement
-from judge.diagnosis.diagnose import diagnose, what_is_left
+from judge.diagnosis.diagnose import after_example, diagnose, what_is_left
 from judge.diagnosis.gallery import GalleryError, load_gallery
+from judge.explanation import Counterexample, Diagnosis, MissedLesson
 from judge.judging import Options, judge
 from judge.kit.paths import REFERENCE
 from judge.languages.submission import read_submission
@@ -31,7 +32,8 @@ def result(group, verdict):
     ("results", "words"),
     [
         ([("small", Verdict.RTE), ("large", Verdict.RTE)], "crashes on larger files"),
-        ([("small", Verdict.WA), ("large", Verdict.RTE)], "what is left is precision"),
+        ([("small", Verdict.WA), ("large", Verdict.RTE)], "look for rounding or overflow"),
+        ([("mine", Verdict.WA)], "gallery correctly."),
         ([("small", Verdict.AC), ("large", Verdict.WA)], "fails on large files only"),
     ],
 )
@@ -80,3 +82,41 @@ def test_a_judging_that_is_accepted_has_no_diagnosis():
     judging = judge(read_submission(REFERENCE), PROBLEM, Options(globs=("sample/*",)))
     assert judging.verdict is Verdict.AC
     assert judging.diagnosis is None
+
+
+def example(largest):
+    text = f"1\n3 1\n0 0\n0 0\n{largest} 0\n0 1\n3\n5 5\n6 5\n5 6\n"
+    return Counterexample(text, "NO", "YES", 1, 1, 6, "Because.")
+
+
+def test_a_counterexample_tells_32_bits_from_rounding():
+    gallery = load_gallery()
+    exact = MissedLesson("exact", "Exact.", ("exact-1",))
+    found = Diagnosis((exact,), None, "", 135, 1)
+    seen = after_example(gallery, found, example(23_435))
+    assert [lesson.id for lesson in seen.lessons] == ["products", "exact"]
+    assert "23,435" in seen.remark
+    assert after_example(gallery, found, example(50_000_000)) == found
+    touch = Diagnosis((MissedLesson("touch", "Touch.", ()),), None, "", 135, 1)
+    assert after_example(gallery, touch, example(23_435)) == touch
+
+
+def test_a_small_counterexample_is_no_overflow():
+    gallery = load_gallery()
+    passes = Diagnosis((), None, "It answers all. Look for overflow.", 135, 0)
+    assert "it is no overflow" in after_example(gallery, passes, example(3)).remark
+    fails = Diagnosis((), None, "It answers none.", 135, 135)
+    assert after_example(gallery, fails, example(3)) == fails
+
+
+def test_a_wrong_answer_file_of_a_user_is_said(tmp_path):
+    source = tmp_path / "always.py"
+    source.write_text("t = int(input())\nprint('YES\\n' * t)\n")
+    data = tmp_path / "data"
+    data.mkdir()
+    (data / "a.in").write_text("1\n3 0\n0 0\n0 0\n1 0\n0 1\n")
+    (data / "a.ans").write_text("NO\n")
+    judging = judge(read_submission(source), PROBLEM, Options(data=data, no_wall=True))
+    assert judging.verdict is Verdict.WA
+    assert judging.diagnosis is None
+    assert "scenario 1: the file says NO, the reference says YES" in judging.unexplained

@@ -142,7 +142,7 @@ def test_a_lesson_whose_condition_all_wrong_scenes_meet_comes_before_one_where_s
     )
     gallery = Gallery(lessons, scenes, {})
     (only,) = missed_lessons(gallery, "YYYN")
-    assert (only.id, only.scenes) == ("standing-still", ("a", "b", "c"))
+    assert (only.id, only.scenes) == ("standing-still", ("c", "a", "b"))
     assert [one.id for one in missed_lessons(gallery, "NYNY")] == ["inside"]
 
 
