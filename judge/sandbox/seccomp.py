@@ -1,10 +1,8 @@
 """The system-call filter of the wall, assembled here without a library.
 
-It refuses calls that a contest program never needs and an attacker could use. They fail with
-EPERM; those whose arguments the filter cannot see fail with ENOSYS, so that libraries use older
-ones. Calls that need a capability, such as mount, are left to the kernel: no program has one, or
-can get one. Children of a process that ignores SIGCHLD are not charged to it. So unless a control
-group counts CPU time, no program may ignore it: the call seems to succeed.
+Refused calls fail with EPERM; those whose arguments the filter cannot see fail with ENOSYS, so
+that libraries use older ones. Children of a process that ignores SIGCHLD are not charged to it.
+So unless a control group counts CPU time, no program may ignore it: the call seems to succeed.
 Source: Linux, Documentation/userspace-api/seccomp_filter.rst; linux/filter.h.
 """
 
@@ -15,8 +13,7 @@ import struct
 
 AUDIT_ARCH = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}
 
-# the number of each call on x86_64 and on aarch64; ABSENT: the call does not exist there
-ABSENT = -1
+# the number of each call on x86_64 and on aarch64
 REFUSED: dict[str, tuple[int, int]] = {
     "socket": (41, 198),
     "sendmsg": (46, 211),  # descriptors in transit stay open in the kernel
@@ -35,7 +32,7 @@ REFUSED: dict[str, tuple[int, int]] = {
     "unshare": (272, 97),
     "perf_event_open": (298, 241),
     "fanotify_init": (300, 262),
-    "inotify_init": (253, ABSENT),  # its queues hold kernel memory
+    "inotify_init": (253, 26),  # its queues hold kernel memory; aarch64 has only the next one
     "inotify_init1": (294, 26),
     "process_vm_readv": (310, 270),
     "process_vm_writev": (311, 271),
@@ -84,13 +81,11 @@ def filter_program(machine: str, *, compiling: bool = False, counted: bool = Fal
         raise KeyError(f"no system-call filter for {machine}")
     column = list(AUDIT_ARCH).index(machine)
     code = [(LOAD, 0, 0, ARCH), (JUMP_EQ, 1, 0, AUDIT_ARCH[machine]), KILL, (LOAD, 0, 0, NUMBER)]
-    if machine == "x86_64":
-        code += [(JUMP_GE, 0, 1, X32_BIT), _fail(errno.EPERM)]
+    code += [(JUMP_GE, 0, 1, X32_BIT), _fail(errno.EPERM)]  # aarch64 has no such numbers
 
     def on(call: tuple[int, int], *block: Instruction) -> None:
         """Run `block` on this call; it must end in a return."""
-        if call[column] != ABSENT:
-            code.extend([(JUMP_EQ, 0, len(block), call[column]), *block])
+        code.extend([(JUMP_EQ, 0, len(block), call[column]), *block])
 
     for call in REFUSED.values():
         on(call, _fail(errno.EPERM))

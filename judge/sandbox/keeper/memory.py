@@ -1,7 +1,6 @@
 """How much memory a program's processes use together, where no control group tells.
 
-Shared memory counts once. Memory that only the kernel sees (mappings, pipes, epoll watches)
-is not counted: docs/security.md says how much that can be.
+Shared memory counts once. docs/security.md says how much the kernel holds that is not counted.
 """
 
 from __future__ import annotations

@@ -54,11 +54,7 @@ def main() -> None:
 
 
 def serve(cgroup: Cgroup) -> bool:
-    """Carry out requests; return whether all were, up to the last one.
-
-    Most runs repeat the command of the one before with other files. So after two alike, the next
-    wall is built ahead, while the judge compares the output: its program waits for GO.
-    """
+    """Carry out requests, building walls ahead; return whether all were, up to the last one."""
     last: Request | None = None
     ahead: Launched | None = None
     for line in sys.stdin.buffer:

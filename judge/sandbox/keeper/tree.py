@@ -11,10 +11,9 @@ from collections.abc import Mapping
 
 from judge.sandbox.keeper.cgroup import Cgroup
 from judge.sandbox.keeper.memory import Memory
-from judge.sandbox.keeper.proc import children, descendants, look_at, read
+from judge.sandbox.keeper.proc import descendants, look_at, read
 
 REAP_TIMEOUT_S = 10.0
-ORDERLY_END_S = 0.003  # after this time, every process is killed individually
 
 
 class Tree:
@@ -66,12 +65,11 @@ class Tree:
         """Kill and reap everything; return whether no process is left, as some die slowly."""
         began = time.monotonic()
         while self._reap() and (waited_s := time.monotonic() - began) < REAP_TIMEOUT_S:
-            if waited_s > ORDERLY_END_S:
-                # Stop them first: a stopped process cannot fork while the others are signalled.
-                signal_all(descendants(), signal.SIGSTOP)
-                signal_all(descendants(), signal.SIGKILL)
-            else:  # behind a wall, the kernel ends the rest
-                signal_all(children(os.getpid()), signal.SIGKILL)
+            # Stop them first: a stopped process cannot fork while the others are signalled.
+            for number in (signal.SIGSTOP, signal.SIGKILL):
+                for pid in descendants():
+                    with contextlib.suppress(ProcessLookupError):
+                        os.kill(pid, number)
             time.sleep(min(0.0002 + waited_s / 50, 0.02))
         self.cpu_s = max(self.cpu_s, self._reaped_s, self._counted_s())
         return not self._reap()
@@ -99,10 +97,3 @@ class Tree:
                 self.largest_mib = max(self.largest_mib, usage.ru_maxrss / 1024)
             return True
         return False
-
-
-def signal_all(pids: list[int], number: int) -> None:
-    """Send a signal to each process that is still there."""
-    for pid in pids:
-        with contextlib.suppress(ProcessLookupError):
-            os.kill(pid, number)
