@@ -11,10 +11,8 @@ from typing import NamedTuple
 
 # The kill limit lies above the verdict limit, so that a program slightly over the limit
 # runs to its end, and the report shows by how much it was over.
-KILL_FACTOR = 1.1
-KILL_MARGIN_S = 0.25
-ELAPSED_FACTOR = 2.0
-ELAPSED_MARGIN_S = 3.0
+KILL_FACTOR, KILL_MARGIN_S = 1.1, 0.25
+ELAPSED_FACTOR, ELAPSED_MARGIN_S = 2.0, 3.0
 STARVED_AT_MOST_S = 60.0  # how long a run that waits for a processor may take beyond that
 UNLISTED_PROCESSES = 32  # each may hold memory of the kernel that only a control group counts
 

@@ -10,49 +10,11 @@ from __future__ import annotations
 
 import errno
 import struct
+import tomllib
+from pathlib import Path
 
 AUDIT_ARCH = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}
-
-# the number of each call on x86_64 and on aarch64
-REFUSED: dict[str, tuple[int, int]] = {
-    "socket": (41, 198),
-    "sendmsg": (46, 211),  # descriptors in transit stay open in the kernel
-    "sendmmsg": (307, 269),
-    "setsockopt": (54, 208),  # could enlarge a socket's buffer
-    "shmget": (29, 194),
-    "semget": (64, 190),
-    "msgget": (68, 186),
-    "syslog": (103, 116),
-    "ptrace": (101, 117),
-    "personality": (135, 92),
-    "vmsplice": (278, 75),
-    "add_key": (248, 217),
-    "request_key": (249, 218),
-    "keyctl": (250, 219),
-    "unshare": (272, 97),
-    "perf_event_open": (298, 241),
-    "fanotify_init": (300, 262),
-    "inotify_init": (253, 26),  # its queues hold kernel memory; aarch64 has only the next one
-    "inotify_init1": (294, 26),
-    "process_vm_readv": (310, 270),
-    "process_vm_writev": (311, 271),
-    "kcmp": (312, 272),
-    "memfd_create": (319, 279),
-    "bpf": (321, 280),
-    "userfaultfd": (323, 282),
-    "io_uring_setup": (425, 425),
-    "pidfd_getfd": (438, 438),
-    "memfd_secret": (447, 447),
-    "io_setup": (206, 0),  # takes a share of what the whole machine has
-    "mq_open": (240, 180),
-    "setpriority": (141, 140),  # a program that gives way dies slowly
-    "sched_setscheduler": (144, 119),
-    "sched_setattr": (314, 274),
-    "ioprio_set": (251, 30),
-}
-CLONE, IOCTL, MMAP = (56, 220), (16, 29), (9, 222)
-CLONE3 = (435, 435)  # its arguments are in memory
-SIGACTION, FCNTL, FLOCK, PRCTL = (13, 134), (72, 25), (73, 32), (157, 167)
+CALLS = Path(__file__).with_name("calls.toml")
 NAMESPACES = 0x7E020000  # CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET
 MAP_SHARED, MAP_ANONYMOUS = 0x01, 0x20
 TYPING = (0x5412, 0x541C)  # of ioctl: TIOCSTI, TIOCLINUX
@@ -83,26 +45,28 @@ def filter_program(machine: str, *, compiling: bool = False, counted: bool = Fal
     code = [(LOAD, 0, 0, ARCH), (JUMP_EQ, 1, 0, AUDIT_ARCH[machine]), KILL, (LOAD, 0, 0, NUMBER)]
     code += [(JUMP_GE, 0, 1, X32_BIT), _fail(errno.EPERM)]  # aarch64 has no such numbers
 
-    def on(call: tuple[int, int], *block: Instruction) -> None:
-        """Run `block` on this call; it must end in a return."""
-        code.extend([(JUMP_EQ, 0, len(block), call[column]), *block])
+    calls = tomllib.loads(CALLS.read_text())
 
-    for call in REFUSED.values():
-        on(call, _fail(errno.EPERM))
-    on(CLONE3, _fail(errno.ENOSYS))
-    on(CLONE, *_unless(0, NAMESPACES, test=JUMP_SET))
+    def on(call: str, *block: Instruction, table: str = "inspected") -> None:
+        """Run `block` on this call; it must end in a return."""
+        code.extend([(JUMP_EQ, 0, len(block), calls[table][call][column]), *block])
+
+    for call in calls["refused"]:
+        on(call, _fail(errno.EPERM), table="refused")
+    on("clone3", _fail(errno.ENOSYS))
+    on("clone", *_unless(0, NAMESPACES, test=JUMP_SET))
     # Shared anonymous memory stays allocated when no process maps it any more.
     shared = (JUMP_SET, 0, 2, MAP_SHARED), (JUMP_SET, 0, 1, MAP_ANONYMOUS)
-    on(MMAP, _load(3), *shared, _fail(errno.EPERM), ALLOW)
-    on(IOCTL, *_unless(1, *TYPING))
-    on(PRCTL, *_unless(0, *PRCTL_REFUSED))
+    on("mmap", _load(3), *shared, _fail(errno.EPERM), ALLOW)
+    on("ioctl", *_unless(1, *TYPING))
+    on("prctl", *_unless(0, *PRCTL_REFUSED))
     if not counted:
         # The second argument is the address of the new action; 0 only asks for the old one.
         anything = _load(1), (JUMP_EQ, 0, 3, 0), _load(1, HIGH), (JUMP_EQ, 0, 1, 0)
-        on(SIGACTION, _load(0), (JUMP_EQ, 0, 4, SIGCHLD), *anything, ALLOW, _fail(0))
+        on("sigaction", _load(0), (JUMP_EQ, 0, 4, SIGCHLD), *anything, ALLOW, _fail(0))
     if not compiling:
-        on(FLOCK, _fail(errno.EPERM))
-        on(FCNTL, *_unless(1, *FCNTL_REFUSED))
+        on("flock", _fail(errno.EPERM))
+        on("fcntl", *_unless(1, *FCNTL_REFUSED))
     code.append(ALLOW)
     return b"".join(struct.pack("<HBBI", *instruction) for instruction in code)
 
