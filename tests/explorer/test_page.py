@@ -360,6 +360,7 @@ def test_the_contact_and_the_gap_are_seen_closely(opened):
     assert page.locator("#scene circle[data-part]").count() == 7
 
 
+@pytest.mark.slow
 def test_a_file_of_many_scenarios_is_opened(opened, tmp_path):
     scenarios = find("contacts").scenarios({}, 1)[:30]
     file = tmp_path / "my.in"
@@ -465,6 +466,7 @@ DAMAGED = {
 }
 
 
+@pytest.mark.slow
 def test_a_damaged_link_is_named_and_the_page_still_works(opened):
     page = opened("#scene=3,0/0,0/0,0/1,0")
     assert "in line 5: robot, vertex 3: expected two integers" in page.text_content("#message")
@@ -490,6 +492,7 @@ def test_the_input_can_be_edited_as_text(opened):
     page.locator("#scenario-count", has_text="2").wait_for()
 
 
+@pytest.mark.slow
 def test_scenes_as_wide_as_the_world_and_a_unit_apart(opened):
     far = 100_000_000
     robot = [(-far, -far), (far, -far), (far, -1)]

@@ -24,7 +24,7 @@ from rich.console import Console
 from judge.judging import Options, judge
 from judge.languages.submission import read_submission
 from judge.languages.table import by_suffix
-from judge.problem.declaration import load
+from judge.problem.declaration import Feedback, Problem, load
 from judge.problem.verdict import Verdict
 from judge.reports.junit import to_junit
 from judge.reports.schema import to_json
@@ -46,6 +46,8 @@ PROBLEM = msgspec.structs.replace(
         _declared.limits, compilation_time_s=2.0, compilation_memory_mib=400
     ),
 )
+# The fast tests judge without a diagnosis, which runs the program again, in the same sandbox.
+QUIET = msgspec.structs.replace(PROBLEM, feedback=Feedback(tell="verdict", name_secret_cases=True))
 DATA = {"sample/01": "YES\n", "sample/02": "NO\nYES\n"}
 
 
@@ -98,15 +100,26 @@ def shown(judging: Judging) -> str:
     ids=lambda path: path.relative_to(HERE).as_posix(),
 )
 def test_the_verdict_is_an_expected_one(path: Path, data: Path) -> None:
+    check_verdict(path, data, QUIET)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.relative_to(HERE).as_posix())
+def test_a_diagnosis_changes_no_verdict_and_stays_short(path: Path, data: Path) -> None:
+    check_verdict(path, data, PROBLEM)
+
+
+def check_verdict(path: Path, data: Path, problem: Problem) -> None:
+    """Judge a program; its verdict, the time that it takes and the reports must be as they should."""
     tool = {".c": "gcc", ".cpp": "g++"}.get(path.suffix)
     if tool is not None and shutil.which(tool) is None:
         pytest.skip(f"{tool} is not installed")
-    started = time.monotonic()
+    """Judge a program; its verdict, its time and the reports must be as they should."""
     # Short where only the time limit ends the program; otherwise long, so that a busy machine
     # does not decide the verdict.
     time_limit_s = 0.6 if "TLE" in expected(path) else 3.0
     options = Options(data=data, time_limit_s=time_limit_s, stop_on_first=True)
-    judging = judge(read_submission(path), PROBLEM, options)
+    judging = judge(read_submission(path), problem, options)
     assert time.monotonic() - started < SECONDS_AT_MOST
     text = shown(judging)
     assert judging.verdict.value in expected(path), text
