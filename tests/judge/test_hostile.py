@@ -110,11 +110,11 @@ def test_a_diagnosis_changes_no_verdict_and_stays_short(path: Path, data: Path) 
 
 
 def check_verdict(path: Path, data: Path, problem: Problem) -> None:
-    """Judge a program; its verdict, the time that it takes and the reports must be as they should."""
+    """Judge a program; its verdict, its time and the reports must be as they should."""
     tool = {".c": "gcc", ".cpp": "g++"}.get(path.suffix)
     if tool is not None and shutil.which(tool) is None:
         pytest.skip(f"{tool} is not installed")
-    """Judge a program; its verdict, its time and the reports must be as they should."""
+    started = time.monotonic()
     # Short where only the time limit ends the program; otherwise long, so that a busy machine
     # does not decide the verdict.
     time_limit_s = 0.6 if "TLE" in expected(path) else 3.0
