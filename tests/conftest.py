@@ -6,6 +6,8 @@ import signal
 
 import pytest
 
+from judge.kit.processors import processors
+
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_configure() -> None:
@@ -13,3 +15,8 @@ def pytest_configure() -> None:
     # children inherit that. Tests interrupt their children and expect them to stop.
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def pytest_xdist_auto_num_workers() -> int:
+    """Return how many tests run at once with `-n auto`: one more, as many tests mostly wait."""
+    return processors() + 1
