@@ -346,6 +346,7 @@ def test_the_reason_is_exact(opened):
         assert page.text_content("#reason") == expected
 
 
+@pytest.mark.slow
 def test_the_contact_and_the_gap_are_seen_closely(opened):
     far = 10**8
     robot = [(-far, -far), (far, -far), (far, far - 1)]
@@ -440,6 +441,7 @@ def test_the_scene_is_copied_as_input(opened):
     assert copied.encode() == render([HIT])
 
 
+@pytest.mark.slow
 def test_a_link_restores_the_scene(opened):
     page = opened(link(HIT))
     drag(page, handle(page, "end 0 all"), (3, 2))
