@@ -72,14 +72,14 @@ def test_a_failure_of_the_diagnosis_costs_only_the_diagnosis(monkeypatch, tmp_pa
     monkeypatch.setattr("judge.judging.diagnose", fails)
     source = tmp_path / "always.py"
     source.write_text("t = int(input())\nprint('YES\\n' * t)\n")
-    judging = judge(read_submission(source), PROBLEM, Options(globs=("sample/*",), no_wall=True))
+    judging = judge(read_submission(source), PROBLEM, Options(groups=("sample",), no_wall=True))
     assert judging.verdict is Verdict.WA
     assert judging.diagnosis is None
     assert judging.unexplained == str(error)
 
 
 def test_a_judging_that_is_accepted_has_no_diagnosis():
-    judging = judge(read_submission(REFERENCE), PROBLEM, Options(globs=("sample/*",)))
+    judging = judge(read_submission(REFERENCE), PROBLEM, Options(groups=("sample",)))
     assert judging.verdict is Verdict.AC
     assert judging.diagnosis is None
 
