@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -24,7 +24,7 @@ from judge.problem.given import wrong_answer_in
 from judge.problem.order import judging_order
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging, Scale, first_failure, group_results, not_run
-from judge.run import Attempt
+from judge.run import Attempts
 from judge.sandbox.facts import RunLimits
 from judge.sandbox.probe import NoWallError
 
@@ -75,7 +75,7 @@ class Failure:
     submission: Submission
     problem: Problem
     cases: tuple[CaseResult, ...]
-    attempts: Callable[[Iterable[bytes], RunLimits], Iterator[Attempt]]
+    attempts: Attempts
     limits: RunLimits
     jobs: int
     say: Callable[[str], None]
@@ -116,7 +116,7 @@ def judge(
         data = load_data(problem, options.data, options.groups, options.globs, store)
         time_limit = _TimeLimit(problem, options.time_limit_s, pool, events)
         cases = judging_order(options.data, data.chosen)
-        ready = _ready(pool, compiling, submission)
+        ready = wait_until_ready(pool, compiling, submission)
         results: list[CaseResult] = []
         if not ready.compile_error:
             events.start(len(cases))
@@ -245,7 +245,7 @@ class _TimeLimit:
         return self.limits
 
 
-def _ready(pool: Pool, compiling: Pending[Ready], submission: Submission) -> Ready:
+def wait_until_ready(pool: Pool, compiling: Pending[Ready], submission: Submission) -> Ready:
     """Wait for a worker to be ready. Raises JudgeError where no wall works."""
     try:
         return pool.result(compiling)

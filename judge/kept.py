@@ -21,7 +21,7 @@ from judge.problem.verdict import Verdict
 from judge.sandbox.facts import RunLimits
 
 KIND = "verdict"
-NOT_PART_OF_JUDGING = ("judge/kit/", "judge/reports/")
+NOT_PART_OF_JUDGING = ("judge/kit/", "judge/reports/", "judge/diagnosis/")
 
 
 class KeptVerdicts:

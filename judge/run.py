@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,6 +24,10 @@ class Attempt:
     facts: Facts
     output: bytes
     judgement: Judgement
+
+
+# Runs a program on the texts of input files, and yields the runs in order.
+Attempts = Callable[[Iterable[bytes], RunLimits], Iterator[Attempt]]
 
 
 def run_input(sandbox: Sandbox, program: Program, limits: RunLimits, content: bytes) -> Attempt:

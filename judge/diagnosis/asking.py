@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
 
 from judge.diagnosis.gallery import NO_ANSWER, NOT_ASKED, Gallery, Scene, input_file
 from judge.diagnosis.shape import letters
 from judge.problem.verdict import Verdict
-from judge.run import Attempt
+from judge.run import Attempt, Attempts
 from judge.sandbox.facts import RunLimits
 
 GALLERY_LIMIT_S = 2.0  # CPU seconds for all scenes together
@@ -18,8 +18,6 @@ ELAPSED_FACTOR = 4.0  # for a program that sleeps
 CHECKED_ALONE = 6  # scenes that are asked again, each alone
 ALONE_OF_LESSON, ALONE_AT_MOST = 2, 40  # scenes asked alone when a program is out of step
 STALLS = 4  # runs that time out before the rest is left unasked
-
-Attempts = Callable[[Iterable[bytes], RunLimits], Iterator[Attempt]]
 
 
 class Steadiness(Enum):
@@ -51,7 +49,7 @@ def ask(gallery: Gallery, attempts: Attempts, limits: RunLimits) -> Answers:
     attempts: runs it on input files, and yields the runs in order. If the run on all scenes
     (and echoes of some) crashes or is out of step, the scenes of each lesson are asked apart.
     """
-    scenes = [*gallery.scenes, *(gallery.scenes[index] for index in gallery.echoes)]
+    scenes = gallery.asked
     whole_limits = _at_most(limits, GALLERY_LIMIT_S)
     whole = next(attempts([input_file(scenes)], whole_limits))
     found = letters(whole.output)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from judge.diagnosis.asking import Answers, Attempts, Steadiness, ask
+from judge.diagnosis.asking import Answers, Steadiness, ask
 from judge.diagnosis.gallery import NOT_ASKED, Gallery
 from judge.diagnosis.ranking import known_alike, missed_lessons, wrong_scenes
 from judge.diagnosis.shape import has_other_words, letters, remark_on
@@ -13,6 +13,7 @@ from judge.explanation import Counterexample, Diagnosis, MissedLesson
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult
+from judge.run import Attempts
 from judge.sandbox.facts import RunLimits
 
 # Lessons that no scene teaches: they show in how the output looks, or in the exit status.
@@ -72,7 +73,7 @@ def _lessons_of_shape(gallery: Gallery, answers: Answers) -> list[str]:
         return [CHANCE]
     if answers.steadiness is Steadiness.DEPENDS:
         return [SEPARATE]
-    asked = len(gallery.scenes) + len(gallery.echoes)
+    asked = len(gallery.asked)
     found = letters(whole.output)
     lessons = []
     if has_other_words(whole.output):
@@ -97,9 +98,8 @@ def _lessons_of_shape(gallery: Gallery, answers: Answers) -> list[str]:
 def _remark(gallery: Gallery, answers: Answers) -> str:
     whole = answers.whole
     if whole.judgement.verdict is Verdict.AC:
-        scenes = [*gallery.scenes, *(gallery.scenes[index] for index in gallery.echoes)]
-        expected = "".join(scene.answer[0] for scene in scenes)
-        return remark_on(whole.output, expected, [s.obstacles for s in scenes])
+        expected = "".join(scene.answer[0] for scene in gallery.asked)
+        return remark_on(whole.output, expected, [scene.obstacles for scene in gallery.asked])
     if set(answers.letters) == {NOT_ASKED}:
         return f"It answers no scene of the gallery, not even alone: {whole.judgement.message}"
     return ""

@@ -102,6 +102,11 @@ class Gallery:
         step = max(1, len(self.scenes) // ECHOES)
         return tuple(range(0, len(self.scenes), step)[:ECHOES])
 
+    @cached_property
+    def asked(self) -> tuple[Scene, ...]:
+        """All scenes, then the echoes: what the whole file asks."""
+        return (*self.scenes, *(self.scenes[index] for index in self.echoes))
+
     def lessons_of(self, submission: str) -> frozenset[str]:
         """Return the lessons that a known submission misses."""
         return frozenset(i for i, lesson in self.lessons.items() if submission in lesson.missed_by)

@@ -11,23 +11,16 @@ from judge.explanation import Like, MissedLesson
 NEAR = Fraction(4, 5)  # below it, the nearest known program misleads as often as it helps
 
 
-def missed_lessons(
-    gallery: Gallery, answers: str, leave_out: Iterable[str] = ()
-) -> tuple[MissedLesson, ...]:
+def missed_lessons(gallery: Gallery, answers: str) -> tuple[MissedLesson, ...]:
     """Return the lessons that explain the wrong answers, most telling first.
 
-    answers: one letter a scene: Y, N, NO_ANSWER or NOT_ASKED. leave_out: known submissions
-    to ignore. A known program that is wrong in nearly the same scenes decides first. Else each
-    lesson counts by its own scenes and by its condition, if it has one. A lesson is told only
-    if it explains an own scene that those before it leave. O(lessons * scenes * known).
+    answers: one letter a scene: Y, N, NO_ANSWER or NOT_ASKED. A known program that
+    is wrong in nearly the same scenes decides first. Else each lesson counts by its own scenes
+    and by its condition, if it has one. A lesson is told only if it explains an own scene that
+    those before it leave. O(lessons * scenes * known).
     """
     wrong = wrong_scenes(gallery, answers)
-    ignored = frozenset(leave_out)
-    known = {
-        name: wrong_scenes(gallery, given)
-        for name, given in gallery.known.items()
-        if name not in ignored
-    }
+    known = {name: wrong_scenes(gallery, given) for name, given in gallery.known.items()}
     own: dict[str, list[int]] = {lesson: [] for lesson in gallery.lessons}
     for index in sorted(wrong):
         own[gallery.scenes[index].lesson].append(index)

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from gen.scenario import Scenario, render
 from judge.kit.text import printable
 from judge.problem.verdict import Verdict
-from judge.run import Attempt
+from judge.run import Attempt, Attempts
 from judge.sandbox.facts import RunLimits
 from stress.running.reference import answers
 
-Attempts = Callable[[Iterable[bytes], RunLimits], Iterator[Attempt]]
 File = Sequence[Scenario]
 
 NAMES = {

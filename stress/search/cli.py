@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
-from judge.judging import JudgeError
+from judge.judging import wait_until_ready
 from judge.kit.command import add_jobs, whole_number
 from judge.kit.console import PlainConsole
 from judge.kit.processors import cores
@@ -17,7 +17,6 @@ from judge.pool import Job, Pool
 from judge.problem.declaration import load
 from judge.reports.explained import print_counterexample
 from judge.sandbox.facts import RunLimits
-from judge.sandbox.probe import NoWallError
 from stress.running.trial import Subject
 from stress.search.search import DRAWING_S, Result, search
 from stress.search.session import new_seed, with_addition
@@ -44,13 +43,7 @@ def command(arguments: Sequence[str]) -> int:
 
 def _compile(pool: Pool, submission: Submission) -> None:
     """Wait until it is compiled. Raises JudgeError where no wall works, CompileError."""
-    try:
-        ready = pool.result(pool.prepare())
-    except NoWallError as error:
-        raise JudgeError(
-            f"no wall works here ({error}), so {submission.name} could read, change and send "
-            "whatever you can; if you trust it, say --no-wall"
-        ) from None
+    ready = wait_until_ready(pool, pool.prepare(), submission)
     if ready.compile_error:
         first_line = ready.compile_error.partition("\n")[0]
         raise CompileError(f"{submission.name}: does not compile: {first_line}")
