@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from gen.geometry import Polygon
+from pictures.cut import cut
 
 ExactPoint = tuple[Fraction, Fraction]
 
@@ -18,15 +19,5 @@ def overlap(p: Polygon, q: Polygon) -> list[ExactPoint]:
     points = [(Fraction(x), Fraction(y)) for x, y in p]
     for (ax, ay), (bx, by) in zip(q, q[1:] + q[:1], strict=True):
         heights = [(bx - ax) * (y - ay) - (by - ay) * (x - ax) for x, y in points]
-        clipped: list[ExactPoint] = []
-        for i, (x, y) in enumerate(points):
-            before = heights[i - 1]
-            here = heights[i]
-            if before * here < 0:
-                px, py = points[i - 1]
-                part = before / (before - here)
-                clipped.append((px + part * (x - px), py + part * (y - py)))
-            if here >= 0:
-                clipped.append((x, y))
-        points = list(dict.fromkeys(clipped))
+        points = list(dict.fromkeys(cut(points, heights)))
     return points

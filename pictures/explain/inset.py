@@ -8,6 +8,7 @@ from math import ceil, floor, sqrt
 import drawsvg
 
 from gen.geometry import Polygon
+from pictures.cut import cut
 from pictures.exact.extremes import Extremes
 from pictures.exact.meeting import ExactPoint
 from pictures.explain.matter import Matter
@@ -130,14 +131,5 @@ def _cut(polygon: list[ExactPoint], view: View) -> list[ExactPoint]:
     )
     for axis, sign, limit in bounds:
         heights = [sign * point[axis] - Fraction(limit) for point in polygon]
-        kept: list[ExactPoint] = []
-        for i, (x, y) in enumerate(polygon):
-            before, here = heights[i - 1], heights[i]
-            if before * here < 0:
-                px, py = polygon[i - 1]
-                part = before / (before - here)
-                kept.append((px + part * (x - px), py + part * (y - py)))
-            if here >= 0:
-                kept.append((x, y))
-        polygon = kept
+        polygon = cut(polygon, heights)
     return polygon

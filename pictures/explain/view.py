@@ -9,6 +9,8 @@ from math import ceil, floor, log10
 
 import drawsvg
 
+from pictures.cut import cut
+
 Number = int | Fraction
 Place = tuple[float, float]  # pixels
 LABEL_PX = 10
@@ -81,16 +83,7 @@ def clipped(places: Sequence[Place], area: Area) -> list[Place]:
     kept = list(places)
     for axis, sign, limit in ((0, 1, left), (0, -1, -right), (1, 1, top), (1, -1, -bottom)):
         heights = [sign * place[axis] - limit for place in kept]
-        cut: list[Place] = []
-        for i, (x, y) in enumerate(kept):
-            before, here = heights[i - 1], heights[i]
-            if before * here < 0:
-                px, py = kept[i - 1]
-                part = before / (before - here)
-                cut.append((px + part * (x - px), py + part * (y - py)))
-            if here >= 0:
-                cut.append((x, y))
-        kept = cut
+        kept = cut(kept, heights)
     return kept
 
 
