@@ -4,10 +4,11 @@ PYTHON ?= python3
 SUBMISSION ?= solution.py
 GROUP ?= small
 SEED ?= 1
+TARGET ?= all
 RUN := .venv/bin/python
 
 .DEFAULT_GOAL := help
-.PHONY: help setup data judge test test-all case figures stress strength mutants gallery worlds calibrate \
+.PHONY: help setup data judge test test-all case export figures stress strength mutants gallery worlds calibrate \
   explorer check schema lint format types clean
 
 help: ## list these commands
@@ -19,6 +20,9 @@ setup: .venv/.ready-dev ## make the environment .venv (other make commands do th
 # The packages for judging install in seconds; those for tests are installed when needed.
 .venv/.ready: pyproject.toml tools/setup.py .venv/bin/python
 	@$(PYTHON) tools/setup.py
+
+.venv/.ready-export: pyproject.toml tools/setup.py .venv/bin/python
+	@$(PYTHON) tools/setup.py --export
 
 .venv/.ready-dev: pyproject.toml tools/setup.py .venv/bin/python
 	@$(PYTHON) tools/setup.py --dev
@@ -40,6 +44,9 @@ test-all: setup data ## run all tests, also the slow ones
 
 case: .venv/.ready ## add a test case: make case FAMILY=contacts [SEED=7] [GROUP=small] [ARGS="--set n=9"]
 	@$(RUN) -m gen case $(FAMILY) --seed $(SEED) --group $(GROUP) $(ARGS)
+
+export: .venv/.ready-export data ## write packages for other judges: make export [TARGET=kattis]
+	@$(RUN) -m export $(TARGET)
 
 figures: .venv/.ready ## redraw the figures of the statement
 	@$(RUN) -m pictures figures

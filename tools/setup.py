@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Make the kit's environment, .venv, with the packages that pyproject.toml lists.
 
-    python3 tools/setup.py          the packages for judging
-    python3 tools/setup.py --dev    also those for tests and checks of the code
+    python3 tools/setup.py            the packages for judging
+    python3 tools/setup.py --export   also those for packages for other judges
+    python3 tools/setup.py --dev      all, with those for tests and checks of the code
 
 It needs only Python and access to a package index. If it is run again, it repairs and
 updates. Exit status: 0 ready; 2 not ready, with one line that says what to do.
@@ -18,8 +19,13 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 VENV = ROOT / ".venv"
 PYTHON = VENV / "bin" / "python"
-READY = VENV / ".ready"  # written last: without it the environment is not complete
-READY_DEV = VENV / ".ready-dev"
+# What may be asked for: the groups of packages beyond those for judging, and the marks that say
+# that they are there. Marks are written last: without them the environment is not complete.
+KINDS = {
+    "": ("judging needs", [], [".ready"]),
+    "--export": ("exports need", ["export"], [".ready", ".ready-export"]),
+    "--dev": ("the tests need", ["export", "dev"], [".ready", ".ready-export", ".ready-dev"]),
+}
 MINIMUM = (3, 11)
 QUIET = ["--quiet", "--disable-pip-version-check", "--no-warn-script-location"]
 
@@ -32,11 +38,12 @@ def main() -> int:
             f"{sys.version_info[0]}.{sys.version_info[1]} ({sys.executable}); "
             "name another: make PYTHON=python3.12 ..."
         )
-    dev = sys.argv[1:] == ["--dev"]
-    if sys.argv[1:] and not dev:
-        return fail(f"expected --dev or nothing, found {' '.join(sys.argv[1:])}")
-    for mark in (READY, READY_DEV):
-        mark.unlink(missing_ok=True)
+    option = " ".join(sys.argv[1:])
+    if option not in KINDS:
+        return fail(f"expected --export, --dev or nothing, found {option}")
+    what, groups, marks = KINDS[option]
+    for mark in VENV.glob(".ready*"):
+        mark.unlink()
     if not works():
         shutil.rmtree(VENV, ignore_errors=True)
         print("setup: making .venv", flush=True)
@@ -53,14 +60,13 @@ def main() -> int:
             "this Python has no pip and cannot install one; "
             "on Debian and Ubuntu: apt install python3-venv"
         )
-    print(f"setup: installing what {'the tests need' if dev else 'judging needs'}", flush=True)
-    installed = run([*pip, "install", *QUIET, "--no-compile", *requirements(dev)])
+    print(f"setup: installing what {what}", flush=True)
+    installed = run([*pip, "install", *QUIET, "--no-compile", *requirements(groups)])
     if installed.returncode:
         errors = [line for line in installed.stderr.splitlines() if line.startswith("ERROR")]
         return fail(f"pip could not install: {(errors or ['no message'])[-1]}")
-    READY.touch()
-    if dev:
-        READY_DEV.touch()
+    for name in marks:
+        (VENV / name).touch()
     return 0
 
 
@@ -95,15 +101,14 @@ def pip_command() -> list[str] | None:
     return None
 
 
-def requirements(dev: bool) -> list[str]:
-    """Return what the kit needs, as pyproject.toml lists it."""
+def requirements(groups: list[str]) -> list[str]:
+    """Return what judging needs and what the groups add, as pyproject.toml lists it."""
     import tomllib  # not at the top: on an older Python, our message comes first
 
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    return [
-        *project["project"]["dependencies"],
-        *(project["dependency-groups"]["dev"] if dev else []),
-    ]
+    lists = [project["project"]["dependencies"]]
+    lists += [project["dependency-groups"][group] for group in groups]
+    return [package for packages in lists for package in packages]
 
 
 def fail(message: str) -> int:

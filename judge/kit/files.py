@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import BinaryIO
 
 from judge.kit.errors import KitError
 from judge.kit.paths import BUILD
@@ -35,11 +37,21 @@ def write_whole(path: Path, data: bytes, *, parents: bool = False) -> None:
 
 
 def _replace(target: Path, data: bytes) -> None:
+    with open_whole(target) as file:
+        file.write(data)
+
+
+@contextmanager
+def open_whole(target: Path) -> Iterator[BinaryIO]:
+    """Open a temporary file beside `target`; rename it to `target` when the block is done.
+
+    If the block fails, the file is deleted and `target` stays as it was. Raises OSError.
+    """
     handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}-")
     beside = Path(name)
     try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
+        with os.fdopen(handle, "w+b") as file:
+            yield file
         beside.chmod(0o644)
         beside.replace(target)
     except BaseException:
