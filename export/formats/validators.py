@@ -31,7 +31,7 @@ RULES = {rules}
 
 
 def main(arguments):
-    group = arguments[arguments.index("--group") + 1] if "--group" in arguments else None
+    group = arguments[1] if arguments[:1] == ["--group"] else None
     try:
         validate(sys.stdin.buffer, Rules(**RULES[group]))
     except InputError as fault:
