@@ -5,16 +5,19 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+import sys
 import zipfile
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from judge.kit.errors import KitError
 from judge.kit.paths import BUILD
+from judge.kit.text import printable_name
 
 JUDGES = BUILD / "judges"  # the environment of the judges' tools
 TIMEOUT_S = 4 * 3600.0
-SHOWN_LINES = 30
+SHOWN_LINES, SHOWN_CHARS = 30, 200
 
 
 class VerifyError(KitError):
@@ -60,10 +63,17 @@ def need(program: str, package: str) -> None:
         raise VerifyError(f"{program} is missing; on Debian and Ubuntu: apt install {package}")
 
 
-def run_tool(command: list[str | Path], directory: Path) -> str:
-    """Run a judge's tool in a directory; return what it printed. Raises VerifyError.
+def show_end(text: str) -> None:
+    """Print the last lines of a tool's output on standard error."""
+    for line in text.strip().splitlines()[-SHOWN_LINES:]:
+        print(printable_name(line, SHOWN_CHARS), file=sys.stderr)
 
-    The tool finds the programs of its own environment, and nothing asks it for colours.
+
+def run_tool(command: Sequence[str | Path], directory: Path) -> str:
+    """Run a judge's tool in a directory; return what it printed.
+
+    The tool finds the programs of its own environment. If it fails, the end of what it printed
+    goes to standard error. Raises VerifyError.
     """
     name = Path(command[0]).name
     environment = os.environ | {
@@ -85,6 +95,6 @@ def run_tool(command: list[str | Path], directory: Path) -> str:
         raise VerifyError(f"{name}: still running after {TIMEOUT_S:,.0f} s") from None
     text = run.stdout.decode(errors="replace")
     if run.returncode:
-        shown = "\n".join(text.strip().splitlines()[-SHOWN_LINES:])
-        raise VerifyError(f"{name}: exit status {run.returncode}:\n{shown}")
+        show_end(text)
+        raise VerifyError(f"{name}: expected exit status 0, found {run.returncode}")
     return text

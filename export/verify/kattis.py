@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
-from export.verify.job import Job, VerifyError, find_tool, need, run_tool
+from export.verify.job import Job, VerifyError, find_tool, need, run_tool, show_end
 
 RESULT = re.compile(r"tested: (\d+) errors?, (\d+) warnings?")
+FAULTS = ("ERROR", "WARNING")
 QUICK_PARTS = ("config", "data", "validators")
 
 
@@ -16,7 +18,7 @@ def verify_legacy(job: Job) -> list[str]:
     In full, it also typesets the statement and judges every submission. Raises VerifyError.
     """
     problem = job.unpack()
-    command = [find_tool("verifyproblem"), problem.name]
+    command: list[str | Path] = [find_tool("verifyproblem"), problem.name]
     if job.quick:
         command += ["-p", *QUICK_PARTS]
     else:
@@ -26,8 +28,8 @@ def verify_legacy(job: Job) -> list[str]:
     (job.scratch / "verifyproblem.txt").write_text(text, encoding="utf-8")
     found = RESULT.search(text)
     if found is None or found.groups() != ("0", "0"):
-        told = [line for line in text.splitlines() if line.startswith(("ERROR", "WARNING"))]
-        raise VerifyError("verifyproblem: " + "\n".join(told or text.splitlines()[-1:]))
+        show_end("\n".join(line for line in text.splitlines() if line.startswith(FAULTS)) or text)
+        raise VerifyError("verifyproblem: expected 0 errors and 0 warnings")
     parts = ", ".join(QUICK_PARTS) if job.quick else "all parts"
     return [f"verifyproblem, {parts}: {found[1]} errors, {found[2]} warnings"]
 
