@@ -7,9 +7,10 @@ from export.package import Package
 from export.statement.figures import figure_pdf
 from export.statement.latex import escape, latex, notes
 from export.statement.pdf import statement_pdf
-from export.targets.polygon.descriptor import ANSWER, LATEX, PDF
+from export.targets.polygon.descriptor import ANSWER, LATEX
 
 SECTIONS = "statement-sections/english"
+PDF = "statements/.pdf/english/problem.pdf"
 DOCUMENT = LATEX.rpartition("/")[0]
 EXAMPLE = "example.{:02d}"
 # The headings of olymp.sty, in its order, before the examples.
