@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from export.files import Files
+from export.formats.layout import runnable
 from export.package import Package
 from export.target import Target
 from export.targets.polygon import descriptor as names
-from export.targets.polygon.programs import CHECKER_TESTS, checker, solutions, validator
+from export.targets.polygon.programs import CHECKER_TESTS, checker, validator
 from export.targets.polygon.statement import statement
 
 
@@ -22,7 +23,7 @@ def build(package: Package) -> Files:
     for path in (names.CHECKER, names.CHECKER_COPY):
         files.add(path, checker())
     files.add(names.VALIDATOR, validator(package.problem))
-    for submission in solutions(package):
+    for submission in runnable(package):
         files.add(names.SOLUTION.format(submission.file), submission.path)
     files.merge(program_tests(package))
     return files

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
+from export.formats.layout import runnable
 from export.package import Package
-from export.targets.polygon.programs import CHECKER_TESTS, CPP, LANGUAGES, solutions, tag
+from export.targets.polygon.programs import CHECKER_TESTS, CPP, LANGUAGES, tag
 
 MS_PER_S = 1000
 MIB = 1 << 20
@@ -92,7 +93,7 @@ def _assets(root: Element, package: Package) -> None:
     _tests(SubElement(validator, "testset"), _validator_tests(package), {"input": VALIDATOR_TEST})
 
     listed = SubElement(assets, "solutions")
-    for submission in solutions(package):
+    for submission in runnable(package):
         solution = SubElement(listed, "solution", {"tag": tag(submission)})
         kind = LANGUAGES[submission.path.suffix]
         SubElement(solution, "source", path=SOLUTION.format(submission.file), type=kind)

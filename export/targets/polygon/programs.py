@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from jinja2 import Environment, StrictUndefined
 
-from export.package import Package, Submission
+from export.package import Submission
 from judge.kit.paths import REFERENCE
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
@@ -56,11 +56,6 @@ def validator(problem: Problem) -> str:
 def checker() -> Path:
     """Return the path of the checker in C++ for testlib."""
     return HERE / "check.cpp"
-
-
-def solutions(package: Package) -> list[Submission]:
-    """Return the submissions that compile: others would stop the building of a package."""
-    return [each for each in package.submissions if Verdict.CE not in each.overall]
 
 
 def tag(submission: Submission) -> str:
