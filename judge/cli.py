@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,11 +19,13 @@ from judge.kit.paths import DATA
 from judge.kit.processors import cores
 
 if TYPE_CHECKING:
+    from judge.explanation import Diagnosis
     from judge.judging import Search
     from judge.languages.submission import Submission
     from judge.results import Judging
 
     MakeSearch = Callable[[int | None, bool], Search]
+    Illustrate = Callable[[Diagnosis], Diagnosis]
 
 EXIT_ACCEPTED, EXIT_REJECTED, EXIT_ERROR = 0, 1, FAILED
 
@@ -45,18 +48,23 @@ class UsageError(KitError):
     """The options contradict each other or cannot be followed."""
 
 
-def main(arguments: Sequence[str] | None = None, make_search: MakeSearch | None = None) -> int:
+def main(
+    arguments: Sequence[str] | None = None,
+    make_search: MakeSearch | None = None,
+    illustrate: Illustrate | None = None,
+) -> int:
     """Judge as the arguments say and return the exit status.
 
     make_search: returns the search for a counterexample that repeats a seed, or one with a new
     seed for None; the flag: add what it finds to the data. Without it there is no --explain.
+    illustrate: draws the scene of each missed lesson for --explain; None: they are only named.
     """
     signal.signal(signal.SIGTERM, _interrupt)
     signal.signal(signal.SIGHUP, _interrupt)
     if sys.stdout is None:  # the exit status and the reports are useful alone
         sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115 (open until the process ends)
     interrupted = "interrupted, nothing is left running"
-    command = partial(_command, arguments, make_search)
+    command = partial(_command, arguments, make_search, illustrate)
     return run("checker.py", command, interrupted=interrupted, reader_gone=EXIT_ERROR)
 
 
@@ -64,7 +72,11 @@ def _interrupt(_signal: int, _frame: object) -> None:
     raise KeyboardInterrupt
 
 
-def _command(arguments: Sequence[str] | None, make_search: MakeSearch | None) -> int:
+def _command(
+    arguments: Sequence[str] | None,
+    make_search: MakeSearch | None,
+    illustrate: Illustrate | None,
+) -> int:
     parser = _parser()
     if make_search is not None:
         _add_search(parser)
@@ -79,10 +91,15 @@ def _command(arguments: Sequence[str] | None, make_search: MakeSearch | None) ->
             raise UsageError(f"{option}: expected --explain with it, found none")
     if not asked.explain:
         return _judge(asked, None, EXPLAIN)
-    return _judge(asked, make_search(asked.seed, asked.add), "")
+    return _judge(asked, make_search(asked.seed, asked.add), "", illustrate)
 
 
-def _judge(asked: argparse.Namespace, search: Search | None, hint: str) -> int:
+def _judge(
+    asked: argparse.Namespace,
+    search: Search | None,
+    hint: str,
+    illustrate: Illustrate | None = None,
+) -> int:
     # Imported here, so that help and usage errors appear at once.
     from judge.judging import UNEXPLAINED, Options, judge
     from judge.problem.declaration import load
@@ -110,6 +127,8 @@ def _judge(asked: argparse.Namespace, search: Search | None, hint: str) -> int:
     with live(console, problem.feedback) as events:
         judging = judge(submission, problem, options, events=events, search=search)
     permitted = told(judging, problem.feedback)
+    if illustrate is not None and permitted.diagnosis is not None:
+        permitted = replace(permitted, diagnosis=illustrate(permitted.diagnosis))
     if search is not None and judging.verdict is Verdict.AC:
         console.print("accepted: there is nothing to explain")
     said = hint if problem.feedback.counterexample and judging.verdict not in UNEXPLAINED else ""

@@ -7,12 +7,34 @@ from pathlib import Path
 
 
 @dataclass(frozen=True, slots=True)
+class FailedScene:
+    """A gallery scene that a program answers wrongly.
+
+    input: the whole text of an input file that holds only this scene. found: YES, NO, or in words
+    that there was no answer. sentence: why the expected answer is right; picture: SVG text; file:
+    where both are kept (the picture beside the input). The last three are empty if nobody asked.
+    """
+
+    name: str
+    input: str
+    expected: str
+    found: str
+    sentence: str = ""
+    picture: str = ""
+    file: Path | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class MissedLesson:
-    """A lesson that a program misses: its id, its sentence, the gallery scenes answered wrongly."""
+    """A lesson that a program misses: its id, its sentence, the gallery scenes answered wrongly.
+
+    scene: the smallest of these scenes, None if there is none or it may not be told.
+    """
 
     id: str
     sentence: str
     scenes: tuple[str, ...]
+    scene: FailedScene | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""The front of checker.py: the judge's command line, with the search for a counterexample."""
+"""The front of checker.py: the judge's command line, with a counterexample and pictures."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 from judge import cli
 
 if TYPE_CHECKING:
-    from judge.explanation import Counterexample
+    from judge.explanation import Counterexample, Diagnosis
     from judge.judging import Failure, Search
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Judge as the arguments say and return the exit status; --explain searches."""
-    return cli.main(arguments, make_search)
+    return cli.main(arguments, make_search, illustrate)
 
 
 def make_search(seed: int | None, add: bool) -> Search:
@@ -27,3 +27,10 @@ def make_search(seed: int | None, add: bool) -> Search:
         return explain(failure, seed, add=add)
 
     return search
+
+
+def illustrate(diagnosis: Diagnosis) -> Diagnosis:
+    """Draw the scene of each missed lesson."""
+    from stress.illustrate import illustrated
+
+    return illustrated(diagnosis)

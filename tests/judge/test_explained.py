@@ -15,7 +15,7 @@ from rich.text import Text
 
 from judge.cli import main
 from judge.compare import Mismatch
-from judge.explanation import Counterexample, Diagnosis, Like, MissedLesson
+from judge.explanation import Counterexample, Diagnosis, FailedScene, Like, MissedLesson
 from judge.judging import Search
 from judge.kit.paths import DATA
 from judge.problem.cases import Case, case_at
@@ -46,6 +46,13 @@ EXAMPLE = Counterexample(
     seconds=1.25,
     steps=("seed 7 repeats this search",),
 )
+SCENE = FailedScene(
+    *("scene-4", EXAMPLE.input, "NO", "no answer"),
+    sentence="The edge (7, 8)–(9, 9) is touched.",
+    picture="<svg>scene</svg>",
+    file=Path("/kept/scene-4.in"),
+)
+ILLUSTRATED = replace(DIAGNOSIS, lessons=(*LESSONS[:3], replace(LESSONS[3], scene=SCENE)))
 SMALL = "1\n3 0\n0 0\n0 0\n1 0\n0 1\n"
 Source = Callable[[str, str], Path]
 
@@ -114,6 +121,23 @@ def test_the_most_telling_lessons_and_all_on_request(case: Case) -> None:
     quiet = said(replace(judging, diagnosis=Diagnosis((), None, "Only size is left.", 96, 0)))
     assert "Only size is left." in quiet
     assert "gallery" not in quiet
+
+
+def test_the_scene_of_a_lesson_only_on_request(case: Case) -> None:
+    judging = replace(failed(case), diagnosis=ILLUSTRATED)
+    assert SCENE.input not in said(judging)
+    text = said(judging, explain=True)
+    assert (
+        f"     scene-4:\n{SCENE.input}     expected NO, found no answer\n     {SCENE.sentence}\n"
+        "     picture /kept/scene-4.svg\n"
+    ) in text
+    assert "#gallery=scene-4\n" in text
+    assert "/kept/scene-4.in" not in text
+    long = replace(SCENE, input=SCENE.input + "9 9\n" * 9)
+    lessons = (replace(LESSONS[0], scene=long),)
+    text = said(replace(judging, diagnosis=replace(DIAGNOSIS, lessons=lessons)), explain=True)
+    assert "9 9\n9 9" not in text
+    assert "     input /kept/scene-4.in\n" in text
 
 
 def test_a_counterexample(case: Case, tmp_path: Path) -> None:
