@@ -9,6 +9,7 @@ from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 
+from judge.explanation import Slowness
 from judge.problem.cases import Case
 from judge.problem.declaration import Feedback
 from judge.problem.verdict import Verdict
@@ -55,7 +56,18 @@ def told(judging: Judging, feedback: Feedback) -> Judging:
     return replace(
         judging,
         groups=groups,
+        slowness=_slowness(judging, feedback),
         diagnosis=judging.diagnosis if feedback.lessons else None,
         counterexample=judging.counterexample if feedback.counterexample else None,
         unexplained=judging.unexplained if feedback.counterexample else "",
     )
+
+
+def _slowness(judging: Judging, feedback: Feedback) -> Slowness | None:
+    """Return what may be told of a program that was too slow: the size of a case tells of it."""
+    found = judging.slowness
+    if found is None or not feedback.lessons:
+        return None
+    if feedback.name_secret_cases or found.size is None or not found.size.case.startswith(SECRET):
+        return found
+    return replace(found, size=None) if found.growths else None

@@ -1,4 +1,4 @@
-"""The front of checker.py: the judge's command line, with the search for a counterexample."""
+"""The front of checker.py: the judge's command line, with what --explain searches and measures."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 from judge import cli
 
 if TYPE_CHECKING:
-    from judge.explanation import Counterexample
+    from judge.explanation import Counterexample, Growth
     from judge.judging import Failure, Search
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Judge as the arguments say and return the exit status; --explain searches."""
-    return cli.main(arguments, make_search)
+    """Judge as the arguments say and return the exit status; --explain searches and measures."""
+    return cli.main(arguments, make_search, measure)
 
 
 def make_search(seed: int | None, add: bool) -> Search:
@@ -27,3 +27,10 @@ def make_search(seed: int | None, add: bool) -> Search:
         return explain(failure, seed, add=add)
 
     return search
+
+
+def measure(failure: Failure) -> tuple[Growth, ...]:
+    """Return how the time of a program that was too slow grows. Raises KitError."""
+    from stress.growth.measure import measure as climb  # for the same reason
+
+    return climb(failure.attempts, failure.limits, failure.say)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import signal
+import sys
 
 import pytest
 
@@ -11,10 +13,21 @@ from judge.kit.processors import processors
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_configure() -> None:
+    keep_bytecode()
     # A process started in the background (`make test &`, some CI runners) ignores SIGINT, and its
     # children inherit that. Tests interrupt their children and expect them to stop.
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def keep_bytecode() -> None:
+    """Let the hundreds of Python processes of the tests find compiled modules, as usual.
+
+    Where PYTHONDONTWRITEBYTECODE is set, each of them would compile the kit and its libraries
+    anew: a third of its CPU time.
+    """
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    sys.dont_write_bytecode = False
 
 
 def pytest_xdist_auto_num_workers() -> int:

@@ -10,6 +10,7 @@ from judge.kit.text import counted
 from judge.problem.verdict import Verdict
 from judge.reports import words
 from judge.reports.page import render
+from judge.reports.slowness import TITLE, slow_sentences
 from judge.results import CaseResult, GroupResult, Judging
 
 MEANING = {
@@ -40,6 +41,8 @@ def to_html(judging: Judging) -> bytes:
         short=words.SHORT_LINES,
         diagnosis=judging.diagnosis,
         example=example,
+        slow_title=TITLE,
+        slow=[] if judging.slowness is None else slow_sentences(judging.slowness),
         picture="" if example is None else _picture(example),
         meaning=MEANING,
         share=share,

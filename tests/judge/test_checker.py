@@ -18,7 +18,12 @@ import pytest
 
 from judge.kit.paths import ROOT
 
+from .conftest import WRONG
+
 ECHO = "import sys\nsys.stdout.write(sys.stdin.read())\n"
+# Wrong in the longest case; in step with the gallery.
+CUT = "s = open(0).read()\nt = int(s.split()[0]) if s[0].isdigit() else 1\n"
+CUT += "print(s if len(s) < 9 else 'NO\\n' * t)\n"
 ECHO_CPP = "#include <iostream>\nint main() { std::cout << std::cin.rdbuf(); }\n"
 Source = Callable[[str, str], Path]
 Checker = Callable[..., "subprocess.CompletedProcess[str]"]
@@ -54,7 +59,7 @@ def test_source_from_standard_input(
 
 
 def test_wrong_answer_says_where(checker: Checker, source: Source, data: Path) -> None:
-    done = checker(source("w.py", "print('YES')\n"), "--data", data)
+    done = checker(source("w.py", WRONG), "--data", data)
     assert done.returncode == 1
     assert (
         "first failure: WA on secret/static/01: scenario 1: expected NO, found YES" in done.stdout
@@ -71,8 +76,7 @@ def test_a_fake_verdict_stays_output(checker: Checker, source: Source, data: Pat
 
 def test_json(checker: Checker, source: Source, data: Path, tmp_path: Path) -> None:
     report = tmp_path / "report.json"
-    code = "s = open(0).read()\nprint(s if len(s) < 9 else 'NO')\n"
-    done = checker(source("w.py", code), "--data", data, "--json", report, "--stop-on-first")
+    done = checker(source("w.py", CUT), "--data", data, "--json", report, "--stop-on-first")
     assert done.returncode == 1
     table = json.loads(report.read_text())
     assert table["schema_version"] == 3
@@ -91,10 +95,9 @@ def test_json(checker: Checker, source: Source, data: Path, tmp_path: Path) -> N
 def test_junit_says_what_json_says(
     checker: Checker, source: Source, data: Path, tmp_path: Path
 ) -> None:
-    code = "s = open(0).read()\nprint(s if len(s) < 9 else 'NO')\n"
     paths = (tmp_path / "report.json", tmp_path / "report.xml")
     options = ("--data", data, "--stop-on-first", "--json", paths[0], "--junit", paths[1])
-    assert checker(source("w.py", code), *options).returncode == 1
+    assert checker(source("w.py", CUT), *options).returncode == 1
     table, root = json.loads(paths[0].read_text()), ET.parse(paths[1]).getroot()
     tests = {test.get("name"): test for test in root.iter("testcase")}
     for case in table["cases"]:

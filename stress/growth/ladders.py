@@ -1,0 +1,123 @@
+"""Ladders: inputs in which one quantity N grows and all others stay; and the fit of a time to N.
+
+Every scene is answered YES, and the obstacles stand closely around the sweep, so that no method
+can stop early or rule out an obstacle by its distance.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from math import log
+from statistics import linear_regression
+
+from gen.families import find
+from gen.scenario import LIMIT, Scenario
+
+REPEAT = 1  # of the seed: equal sizes, equal inputs
+FAR = 190_000_000  # nearly across the world
+WIDE = 60  # times N: the length of an edge that is about as wide as a robot of N vertices
+
+
+@dataclass(frozen=True, slots=True)
+class Ladder:
+    """One quantity. Its scenes have about N vertices in all, or twice that, for the N of `make`.
+
+    quantity: completes `the time grows in ...`. least, most: the values of N. may: the time may
+    grow like N ** may, up to logarithms.
+    """
+
+    name: str
+    quantity: str
+    make: Callable[[int], list[Scenario]]
+    least: int
+    most: int
+    may: float = 1.0
+
+
+def _family(
+    name: str, parameters: Callable[[int], Mapping[str, int]]
+) -> Callable[[int], list[Scenario]]:
+    def make(size: int) -> list[Scenario]:
+        chosen: dict[str, int | str] = {"scenarios": 1, "deciding": "none", **parameters(size)}
+        return find(name).scenarios(chosen, REPEAT)
+
+    return make
+
+
+def _long_moves(size: int) -> list[Scenario]:
+    """Return a scene with a move of `size` units and one obstacle beyond its end."""
+    robot = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    start = -LIMIT
+    beyond = [(start + size + 3 + x, y) for x, y in robot]
+    return [Scenario([(start + x, y) for x, y in robot], (size, 0), [beyond])]
+
+
+# One quantity alone comes before two together, so that the simpler of two causes is told first.
+LADDERS = (
+    Ladder(
+        "robot",
+        "the number of robot vertices (one obstacle, a triangle)",
+        _family("hugging", lambda size: {"m": size, "obstacles": 1}),
+        *(64, 200_000),
+    ),
+    Ladder(
+        "obstacle",
+        "the number of vertices of one obstacle (the robot is a triangle)",
+        _family("hugging", lambda size: {"m": 3, "obstacles": 1, "n": size}),
+        *(64, 200_000),
+    ),
+    Ladder(
+        "obstacles",
+        "the number of obstacles (the robot and all obstacles are triangles)",
+        _family("hugging", lambda size: {"m": 3, "obstacles": size, "far": 1_000_000}),
+        *(64, 20_000),
+    ),
+    Ladder(
+        "scenarios",
+        "the number of scenarios (each with a robot and one obstacle, triangles)",
+        _family("hugging", lambda size: {"scenarios": size, "m": 3, "obstacles": 1}),
+        *(64, 10_000),
+    ),
+    Ladder(
+        "move",
+        "the length of the move (the robot and the obstacle are squares)",
+        _long_moves,
+        *(64, 100_000_000),
+        may=0.0,
+    ),
+    Ladder(
+        "pair",
+        "the number of vertices (a robot and one obstacle of N vertices each)",
+        _family("hugging", lambda size: {"m": size, "obstacles": 1, "n": size}),
+        *(64, 100_000),
+    ),
+    Ladder(
+        "far-pair",
+        "the number of vertices (a robot and one obstacle of N vertices each, a long move)",
+        _family("hugging", lambda size: {"m": size, "obstacles": 1, "n": size, "far": FAR}),
+        *(64, 100_000),
+    ),
+    Ladder(
+        "triangles",
+        "the number of vertices (a robot of N vertices among N / 3 small triangles)",
+        _family("hugging", lambda size: {"m": size, "obstacles": size // 3, "n": 3}),
+        *(64, 50_000),
+    ),
+    Ladder(
+        "wide-triangles",
+        "the number of vertices (a robot of N vertices among N / 3 wide triangles)",
+        _family("tangents", lambda n: {"m": n, "obstacles": n // 3, "length": WIDE * n}),
+        *(64, 50_000),
+    ),
+)
+BY_NAME = {ladder.name: ladder for ladder in LADDERS}
+
+
+def exponent(sizes: Sequence[float], seconds: Sequence[float]) -> float:
+    """Return b of the curve a * n ** b that fits best: least squares of the logarithms.
+
+    >>> exponent([1, 2, 4], [3, 12, 48])
+    2.0
+    """
+    return round(linear_regression([log(n) for n in sizes], [log(s) for s in seconds]).slope, 2)

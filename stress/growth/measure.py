@@ -1,0 +1,142 @@
+"""Measures on the ladders what a program's time grows with: all ladders at once, size by size."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import takewhile
+
+from gen.scenario import render
+from judge.explanation import Growth
+from judge.problem.verdict import Verdict
+from judge.run import Attempt, Attempts
+from judge.sandbox.facts import RunLimits
+from stress.growth.ladders import LADDERS, Ladder, exponent
+from stress.running.clock import Clock
+
+Say = Callable[[str], None]
+
+ELAPSED_S = 12.0  # for all ladders; a run that has begun then may end
+RUN_S = 2.0  # CPU seconds of one run
+SHORT_S = 0.02  # up to here, the next size is four times as large, and later twice
+CLEAR_S = 0.04  # times from here on count for the fit, as start and chance matter less
+FITTED = 3  # points, the largest
+LEAST_RATIO = 3.0  # of the longest time to the shortest in a fit
+MARGIN = 0.4  # an exponent so far above what it may be is no logarithm and no chance
+ALIKE = 0.25  # exponents that differ by less are equal: the simpler ladder is told first
+
+
+def measure(
+    attempts: Attempts,
+    limits: RunLimits,
+    say: Say = lambda _text: None,
+    ladders: Sequence[Ladder] = LADDERS,
+) -> tuple[Growth, ...]:
+    """Return how a program's CPU time grows on each ladder, what to tell first at the beginning.
+
+    attempts: runs it on texts of input files, several at once. limits: those of its judging.
+    Takes at most about 15 seconds. Raises KitError.
+    """
+    seconds = min(limits.time_limit_s, RUN_S)
+    shorter = limits._replace(time_limit_s=seconds, elapsed_s=2 * seconds + 1)
+    clock = Clock(ELAPSED_S)
+    say("measuring what its time grows with")
+    smallest = render(ladders[0].make(ladders[0].least))
+    start_s = min(attempt.facts.cpu_s for attempt in attempts([smallest] * 3, shorter))
+    climbs = [_Climb(ladder, start_s, seconds) for ladder in ladders]
+    while not clock.is_over and (climbing := [climb for climb in climbs if climb.goes_on]):
+        largest = max(climb.size for climb in climbing)
+        say(f"measuring what its time grows with: N up to {largest:,}")
+        started = list[_Climb]()
+
+        def contents(climbing: Sequence[_Climb], started: list[_Climb]) -> Iterator[bytes]:
+            for climb in takewhile(lambda _climb: not clock.is_over, climbing):
+                started.append(climb)
+                yield render(climb.ladder.make(climb.size))
+
+        for index, attempt in enumerate(attempts(contents(climbing, started), shorter)):
+            started[index].note(attempt)
+    return in_order([climb.growth() for climb in climbs])
+
+
+class _Climb:
+    """One ladder, climbed until a run takes too long or the largest size is done.
+
+    start_s: what the program takes for nearly nothing. most_s: the time limit of a run.
+    """
+
+    def __init__(self, ladder: Ladder, start_s: float, most_s: float) -> None:
+        self.ladder = ladder
+        self.size = ladder.least
+        self.goes_on = True
+        self._start_s = start_s
+        self._most_s = most_s
+        self._sizes: list[int] = []
+        self._cpu_s: list[float] = []
+        self._over: int | None = None
+
+    def note(self, attempt: Attempt) -> None:
+        """Note the run on the current size, and choose the next one."""
+        verdict = attempt.judgement.verdict
+        if verdict is Verdict.TLE:
+            self._over = self.size
+        elif verdict is Verdict.AC:
+            self._sizes.append(self.size)
+            self._cpu_s.append(round(max(attempt.facts.cpu_s - self._start_s, 0.0001), 4))
+        if not self._sizes or verdict not in (Verdict.AC, Verdict.TLE):
+            self.goes_on = False
+            return
+        factor = 4 if self._cpu_s[-1] <= SHORT_S and self._over is None else 2
+        following = min(factor * self._sizes[-1], self.ladder.most)
+        seen = following <= self._sizes[-1] or following == self._over
+        self.goes_on = not seen and self._expected_s(following) <= self._most_s
+        self.size = following
+
+    def _expected_s(self, size: int) -> float:
+        """Return how long the next size takes if the time goes on growing as it does."""
+        if len(self._sizes) < 2 or self._cpu_s[-1] < CLEAR_S:
+            return 0.0
+        growth = exponent(self._sizes[-2:], self._cpu_s[-2:])
+        return self._cpu_s[-1] * (size / self._sizes[-1]) ** max(growth, 0.0)
+
+    def growth(self) -> Growth:
+        """Return what was measured."""
+        clear_s = CLEAR_S + self._start_s / 2
+        points = list(zip(self._sizes, self._cpu_s, strict=True))
+        clear = [point for point in points if point[1] >= clear_s][-FITTED:]
+        found = None
+        if len(clear) > 1:
+            found = exponent(*zip(*clear, strict=True))
+        too_fast = (
+            found is not None
+            and found > self.ladder.may + MARGIN
+            and clear[-1][1] >= LEAST_RATIO * clear[0][1]
+        )
+        shown = clear or points[-1:]
+        return Growth(
+            ladder=self.ladder.name,
+            quantity=self.ladder.quantity,
+            sizes=tuple(size for size, _ in shown),
+            cpu_s=tuple(seconds for _, seconds in shown),
+            over=self._over,
+            exponent=found,
+            may=self.ladder.may,
+            too_fast=too_fast,
+        )
+
+
+def in_order(growths: Sequence[Growth]) -> tuple[Growth, ...]:
+    """Return those that grow too fast first, the fastest of them at the beginning. Pure.
+
+    Of exponents that are about alike, the one of the simpler ladder comes first.
+    """
+    left, ordered = list(growths), list[Growth]()
+    while fast := [growth for growth in left if growth.too_fast]:
+        most = max(_excess(growth) for growth in fast)
+        chosen = next(growth for growth in fast if _excess(growth) >= most - ALIKE)
+        ordered.append(chosen)
+        left.remove(chosen)
+    return (*ordered, *left)
+
+
+def _excess(growth: Growth) -> float:
+    return (growth.exponent or 0.0) - growth.may
