@@ -294,8 +294,14 @@ def _counterexample(found: Counterexample | None) -> CounterexampleReport | None
 def _slowness(found: Slowness | None) -> SlownessReport | None:
     if found is None:
         return None
-    size = None if found.size is None else msgspec.convert(found.size, SizeReport)
-    return SlownessReport(size, [msgspec.convert(g, GrowthReport) for g in found.growths])
+    size = (
+        None
+        if found.size is None
+        else msgspec.convert(found.size, SizeReport, from_attributes=True)
+    )
+    return SlownessReport(
+        size, [msgspec.convert(g, GrowthReport, from_attributes=True) for g in found.growths]
+    )
 
 
 def to_json(judging: Judging) -> bytes:

@@ -30,7 +30,7 @@ def _shape(size: Size) -> str:
     if size.obstacles:
         found += f" of up to {size.obstacle:,} vertices"
     family = f" (family {size.family})" if size.family else ""
-    promise = f"; its group promises: {size.promise.replace('`', '')}" if size.promise else ""
+    promise = f"; the promise of its group: {size.promise.replace('`', '')}" if size.promise else ""
     return f"{size.case}{family} has {found}{promise}."
 
 

@@ -24,7 +24,8 @@ class Ladder:
     """One quantity. Its scenes have about N vertices in all, or twice that, for the N of `make`.
 
     quantity: completes `the time grows in ...`. least, most: the values of N. may: the time may
-    grow like N ** may, up to logarithms.
+    grow like N ** may, up to logarithms. harder_than: the ladder of which this one is a harder
+    form: it tells something only where that one is climbed fast.
     """
 
     name: str
@@ -33,6 +34,7 @@ class Ladder:
     least: int
     most: int
     may: float = 1.0
+    harder_than: str = ""
 
 
 def _family(
@@ -59,56 +61,58 @@ LADDERS = (
         "robot",
         "the number of robot vertices (one obstacle, a triangle)",
         _family("hugging", lambda size: {"m": size, "obstacles": 1}),
-        *(64, 200_000),
+        *(256, 100_000),
     ),
     Ladder(
         "obstacle",
         "the number of vertices of one obstacle (the robot is a triangle)",
         _family("hugging", lambda size: {"m": 3, "obstacles": 1, "n": size}),
-        *(64, 200_000),
+        *(256, 100_000),
     ),
     Ladder(
         "obstacles",
         "the number of obstacles (the robot and all obstacles are triangles)",
         _family("hugging", lambda size: {"m": 3, "obstacles": size, "far": 1_000_000}),
-        *(64, 20_000),
+        *(256, 10_000),
     ),
     Ladder(
         "scenarios",
         "the number of scenarios (each with a robot and one obstacle, triangles)",
         _family("hugging", lambda size: {"scenarios": size, "m": 3, "obstacles": 1}),
-        *(64, 10_000),
+        *(256, 5_000),
     ),
     Ladder(
         "move",
         "the length of the move (the robot and the obstacle are squares)",
         _long_moves,
-        *(64, 100_000_000),
+        *(100_000, 100_000_000),
         may=0.0,
     ),
     Ladder(
         "pair",
         "the number of vertices (a robot and one obstacle of N vertices each)",
         _family("hugging", lambda size: {"m": size, "obstacles": 1, "n": size}),
-        *(64, 100_000),
+        *(256, 50_000),
     ),
     Ladder(
         "far-pair",
         "the number of vertices (a robot and one obstacle of N vertices each, a long move)",
         _family("hugging", lambda size: {"m": size, "obstacles": 1, "n": size, "far": FAR}),
-        *(64, 100_000),
+        *(256, 50_000),
+        harder_than="pair",
     ),
     Ladder(
         "triangles",
         "the number of vertices (a robot of N vertices among N / 3 small triangles)",
         _family("hugging", lambda size: {"m": size, "obstacles": size // 3, "n": 3}),
-        *(64, 50_000),
+        *(256, 40_000),
     ),
     Ladder(
         "wide-triangles",
         "the number of vertices (a robot of N vertices among N / 3 wide triangles)",
         _family("tangents", lambda n: {"m": n, "obstacles": n // 3, "length": WIDE * n}),
-        *(64, 50_000),
+        *(256, 40_000),
+        harder_than="triangles",
     ),
 )
 BY_NAME = {ladder.name: ladder for ladder in LADDERS}

@@ -55,7 +55,9 @@ def measure(
 
         for index, attempt in enumerate(attempts(contents(climbing, started), shorter)):
             started[index].note(attempt)
-    return in_order([climb.growth() for climb in climbs])
+    growths = {climb.ladder.name: climb.growth() for climb in climbs}
+    fast = {name for name, growth in growths.items() if growth.too_fast}
+    return in_order([growths[ladder.name] for ladder in ladders if ladder.harder_than not in fast])
 
 
 class _Climb:
@@ -96,27 +98,25 @@ class _Climb:
         if len(self._sizes) < 2 or self._cpu_s[-1] < CLEAR_S:
             return 0.0
         growth = exponent(self._sizes[-2:], self._cpu_s[-2:])
-        return self._cpu_s[-1] * (size / self._sizes[-1]) ** max(growth, 0.0)
+        factor: float = (size / self._sizes[-1]) ** max(growth, 0.0)
+        return self._cpu_s[-1] * factor
 
     def growth(self) -> Growth:
         """Return what was measured."""
         clear_s = CLEAR_S + self._start_s / 2
         points = list(zip(self._sizes, self._cpu_s, strict=True))
         clear = [point for point in points if point[1] >= clear_s][-FITTED:]
+        sizes, cpu_s = zip(*(clear or points[-1:]), strict=True) if points else ((), ())
         found = None
-        if len(clear) > 1:
-            found = exponent(*zip(*clear, strict=True))
-        too_fast = (
-            found is not None
-            and found > self.ladder.may + MARGIN
-            and clear[-1][1] >= LEAST_RATIO * clear[0][1]
-        )
-        shown = clear or points[-1:]
+        if clear and sizes[-1] >= 2 * sizes[0]:
+            found = exponent(sizes, cpu_s)
+        rises = bool(cpu_s) and cpu_s[-1] >= LEAST_RATIO * cpu_s[0]
+        too_fast = found is not None and rises and found > self.ladder.may + MARGIN
         return Growth(
             ladder=self.ladder.name,
             quantity=self.ladder.quantity,
-            sizes=tuple(size for size, _ in shown),
-            cpu_s=tuple(seconds for _, seconds in shown),
+            sizes=sizes,
+            cpu_s=cpu_s,
             over=self._over,
             exponent=found,
             may=self.ladder.may,

@@ -23,7 +23,7 @@ from .conftest import WRONG
 ECHO = "import sys\nsys.stdout.write(sys.stdin.read())\n"
 # Wrong in the longest case; in step with the gallery.
 CUT = "s = open(0).read()\nt = int(s.split()[0]) if s[0].isdigit() else 1\n"
-CUT += "print(s if len(s) < 9 else 'NO\\n' * t)\n"
+CUT += "print(s if len(s) < 9 else '\\n'.join(['NO'] * t))\n"
 ECHO_CPP = "#include <iostream>\nint main() { std::cout << std::cin.rdbuf(); }\n"
 Source = Callable[[str, str], Path]
 Checker = Callable[..., "subprocess.CompletedProcess[str]"]
@@ -47,7 +47,9 @@ def test_accepted(checker: Checker, source: Source, data: Path) -> None:
     assert "\x1b" not in done.stdout
 
 
-@pytest.mark.parametrize("arguments", [(), ("-",), ("--language", "cpp")])
+@pytest.mark.parametrize(
+    "arguments", [(), pytest.param(("-",), marks=pytest.mark.slow), ("--language", "cpp")]
+)
 def test_source_from_standard_input(
     checker: Checker, data: Path, arguments: tuple[str, ...]
 ) -> None:
@@ -79,7 +81,7 @@ def test_json(checker: Checker, source: Source, data: Path, tmp_path: Path) -> N
     done = checker(source("w.py", CUT), "--data", data, "--json", report, "--stop-on-first")
     assert done.returncode == 1
     table = json.loads(report.read_text())
-    assert table["schema_version"] == 3
+    assert table["schema_version"] == 4
     assert (table["verdict"], table["score"], table["max_score"]) == ("WA", 15, 100)
     assert table["groups"][2] == {"name": "small", "verdict": "WA", "score": 0, "max_score": 15}
     case = table["cases"][3]

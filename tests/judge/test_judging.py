@@ -121,6 +121,7 @@ def test_a_source_over_the_limit_is_a_compile_error(source: Source, data: Path) 
     assert "limit 256 KiB" in judged(source("long.py", text), data).message
 
 
+@pytest.mark.slow  # the Java compiler; its other fast test has a package
 def test_a_java_class_may_have_any_name(source: Source, data: Path) -> None:
     if shutil.which("javac") is None:
         pytest.skip("javac is not installed")
