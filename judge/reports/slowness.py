@@ -59,15 +59,19 @@ def _measured(growths: tuple[Growth, ...]) -> Iterator[str]:
         )
     if told:
         return
-    stuck = [growth for growth in growths if growth.over is not None and not growth.sizes]
+    stuck = [growth for growth in growths if growth.over is not None and growth.exponent is None]
     for growth in stuck[:1]:
-        yield f"It is too slow to be measured at N = {growth.over:,}, where N is {growth.quantity}."
+        known = f" ({_times(growth)})" if growth.sizes else ""
+        yield (
+            f"It is too slow to be measured at N = {growth.over:,}, where N is {growth.quantity}"
+            f"{known}."
+        )
     measured = [growth for growth in growths if growth.sizes]
     if stuck or not measured:
         return
     slowest = max(measured, key=lambda growth: growth.cpu_s[-1])
     yield (
-        "No quantity that was measured makes its time grow faster than it may. The longest time: "
+        "In what was measured, no quantity makes its time grow faster than it may. The longest time: "
         f"{_times(slowest, last=True)}, where N is {slowest.quantity}."
     )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from itertools import takewhile
 
-from gen.scenario import render
+from gen.scenario import Scenario, render
 from judge.explanation import Growth
 from judge.problem.verdict import Verdict
 from judge.run import Attempt, Attempts
@@ -19,6 +19,8 @@ ELAPSED_S = 12.0  # for all ladders; a run that has begun then may end
 RUN_S = 2.0  # CPU seconds of one run
 SHORT_S = 0.02  # up to here, the next size is four times as large, and later twice
 CLEAR_S = 0.04  # times from here on count for the fit, as start and chance matter less
+NEARLY_NOTHING = [Scenario([(0, 0), (1, 0), (0, 1)], (1, 0), [])]
+LEAST = 16  # no N is smaller
 FITTED = 3  # points, the largest
 LEAST_RATIO = 3.0  # of the longest time to the shortest in a fit
 MARGIN = 0.4  # an exponent so far above what it may be is no logarithm and no chance
@@ -40,8 +42,8 @@ def measure(
     shorter = limits._replace(time_limit_s=seconds, elapsed_s=2 * seconds + 1)
     clock = Clock(ELAPSED_S)
     say("measuring what its time grows with")
-    smallest = render(ladders[0].make(ladders[0].least))
-    start_s = min(attempt.facts.cpu_s for attempt in attempts([smallest] * 3, shorter))
+    starts = attempts([render(NEARLY_NOTHING)] * 3, shorter)
+    start_s = min(attempt.facts.cpu_s for attempt in starts)
     climbs = [_Climb(ladder, start_s, seconds) for ladder in ladders]
     while not clock.is_over and (climbing := [climb for climb in climbs if climb.goes_on]):
         largest = max(climb.size for climb in climbing)
@@ -63,18 +65,19 @@ def measure(
 class _Climb:
     """One ladder, climbed until a run takes too long or the largest size is done.
 
-    start_s: what the program takes for nearly nothing. most_s: the time limit of a run.
+    If too few times are clear then, smaller sizes are measured. start_s: what the program takes
+    for nearly nothing. most_s: the time limit of a run.
     """
 
     def __init__(self, ladder: Ladder, start_s: float, most_s: float) -> None:
         self.ladder = ladder
         self.size = ladder.least
         self.goes_on = True
+        self._clear_s = CLEAR_S + start_s / 2
         self._start_s = start_s
         self._most_s = most_s
-        self._sizes: list[int] = []
-        self._cpu_s: list[float] = []
-        self._over: int | None = None
+        self._cpu_s: dict[int, float] = {}  # by size
+        self._over: int | None = None  # the smallest size that took too long
 
     def note(self, attempt: Attempt) -> None:
         """Note the run on the current size, and choose the next one."""
@@ -82,36 +85,43 @@ class _Climb:
         if verdict is Verdict.TLE:
             self._over = self.size
         elif verdict is Verdict.AC:
-            self._sizes.append(self.size)
-            self._cpu_s.append(round(max(attempt.facts.cpu_s - self._start_s, 0.0001), 4))
-        if not self._sizes or verdict not in (Verdict.AC, Verdict.TLE):
-            self.goes_on = False
-            return
-        factor = 4 if self._cpu_s[-1] <= SHORT_S and self._over is None else 2
-        following = min(factor * self._sizes[-1], self.ladder.most)
-        seen = following <= self._sizes[-1] or following == self._over
-        self.goes_on = not seen and self._expected_s(following) <= self._most_s
-        self.size = following
+            self._cpu_s[self.size] = round(max(attempt.facts.cpu_s - self._start_s, 0.0001), 4)
+        following = self._following() if verdict in (Verdict.AC, Verdict.TLE) else None
+        self.goes_on = following is not None
+        self.size = following or self.size
+
+    def _following(self) -> int | None:
+        """Return the next size, None if the climb is over."""
+        clear = [size for size, seconds in self._cpu_s.items() if seconds >= self._clear_s]
+        if self._over is None:
+            largest = max(self._cpu_s)
+            factor = 4 if self._cpu_s[largest] <= SHORT_S else 2
+            following = min(factor * largest, self.ladder.most)
+            if following > largest and self._expected_s(following) <= self._most_s:
+                return following
+        if len(clear) > 1:
+            return None
+        slow = [*clear, *([] if self._over is None else [self._over])]
+        half = min(slow, default=0) // 2
+        return half if half >= LEAST and half not in self._cpu_s else None
 
     def _expected_s(self, size: int) -> float:
-        """Return how long the next size takes if the time goes on growing as it does."""
-        if len(self._sizes) < 2 or self._cpu_s[-1] < CLEAR_S:
+        """Return how long a larger size takes if the time goes on growing as it does."""
+        sizes = sorted(self._cpu_s)[-2:]
+        last_s = self._cpu_s[sizes[-1]]
+        if len(sizes) < 2 or last_s < CLEAR_S:
             return 0.0
-        growth = exponent(self._sizes[-2:], self._cpu_s[-2:])
-        factor: float = (size / self._sizes[-1]) ** max(growth, 0.0)
-        return self._cpu_s[-1] * factor
+        growth = exponent(sizes, [self._cpu_s[size] for size in sizes])
+        factor: float = (size / sizes[-1]) ** max(growth, 0.0)
+        return last_s * factor
 
     def growth(self) -> Growth:
         """Return what was measured."""
-        clear_s = CLEAR_S + self._start_s / 2
-        points = list(zip(self._sizes, self._cpu_s, strict=True))
-        clear = [point for point in points if point[1] >= clear_s][-FITTED:]
+        points = sorted(self._cpu_s.items())
+        clear = [point for point in points if point[1] >= self._clear_s][-FITTED:]
         sizes, cpu_s = zip(*(clear or points[-1:]), strict=True) if points else ((), ())
-        found = None
-        if clear and sizes[-1] >= 2 * sizes[0]:
-            found = exponent(sizes, cpu_s)
+        found = exponent(sizes, cpu_s) if clear and sizes[-1] >= 2 * sizes[0] else None
         rises = bool(cpu_s) and cpu_s[-1] >= LEAST_RATIO * cpu_s[0]
-        too_fast = found is not None and rises and found > self.ladder.may + MARGIN
         return Growth(
             ladder=self.ladder.name,
             quantity=self.ladder.quantity,
@@ -120,7 +130,7 @@ class _Climb:
             over=self._over,
             exponent=found,
             may=self.ladder.may,
-            too_fast=too_fast,
+            too_fast=found is not None and rises and found > self.ladder.may + MARGIN,
         )
 
 

@@ -119,13 +119,20 @@ def test_what_is_special_in_a_case(changes: dict[str, int | str], words: str) ->
         (
             (SLOW,),
             [
-                "No quantity that was measured makes its time grow faster than it may. The longest "
-                "time: 0.47 s at 2,000, where N is the number of y."
+                "In what was measured, no quantity makes its time grow faster than it may. The "
+                "longest time: 0.47 s at 2,000, where N is the number of y."
             ],
         ),
         (
             (replace(SLOW, sizes=(), cpu_s=(), exponent=None, over=256), SLOW),
             ["It is too slow to be measured at N = 256, where N is the number of y."],
+        ),
+        (
+            (replace(SLOW, exponent=None, sizes=(512,), cpu_s=(0.2,), over=1024),),
+            [
+                "It is too slow to be measured at N = 1,024, where N is the number of y (0.20 s at "
+                "512)."
+            ],
         ),
         ((replace(SLOW, sizes=(), cpu_s=(), exponent=None, over=None),), []),
         ((), []),
