@@ -71,8 +71,8 @@ def _measured(growths: tuple[Growth, ...]) -> Iterator[str]:
         return
     slowest = max(measured, key=lambda growth: growth.cpu_s[-1])
     yield (
-        "In what was measured, no quantity makes its time grow faster than it may. The longest time: "
-        f"{_times(slowest, last=True)}, where N is {slowest.quantity}."
+        "In what was measured, no quantity makes its time grow faster than it may. The longest "
+        f"time: {_times(slowest, last=True)}, where N is {slowest.quantity}."
     )
 
 

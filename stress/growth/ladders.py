@@ -12,10 +12,17 @@ from math import log
 from statistics import linear_regression
 
 from gen.families import find
-from gen.scenario import LIMIT, Scenario
+from gen.families.common import fitting
+from gen.families.size.hugging import around
+from gen.geometry import sweep
+from gen.geometry.contact import pair
+from gen.rng import Rng, derive
+from gen.scenario import LIMIT, Scenario, bounds, moved
+from gen.shapes.convex import near_circle
 
 REPEAT = 1  # of the seed: equal sizes, equal inputs
-FAR = 190_000_000  # nearly across the world
+TRIES = 100
+LONG_MOVE = 120_000_000, 40_000_000  # across most of the world
 WIDE = 60  # times N: the length of an edge that is about as wide as a robot of N vertices
 
 
@@ -53,6 +60,20 @@ def _long_moves(size: int) -> list[Scenario]:
     start = -LIMIT
     beyond = [(start + size + 3 + x, y) for x, y in robot]
     return [Scenario([(start + x, y) for x, y in robot], (size, 0), [beyond])]
+
+
+def _far_pair(size: int) -> list[Scenario]:
+    """Return a scene with a long move, which is the same for all sizes, past one obstacle."""
+    rng = Rng(derive("far-pair", {"size": size}, REPEAT))
+    robot, shape = near_circle(rng, size), near_circle(rng, size)
+    (beside,) = around(rng, sweep(robot, LONG_MOVE), 1)
+
+    def make() -> Scenario:
+        scene = Scenario(robot, LONG_MOVE, [pair(rng, beside, shape, flat=0).missing])
+        left, bottom, _, _ = bounds(scene)
+        return moved(scene, (-LIMIT - left, -LIMIT - bottom))
+
+    return [fitting(make, TRIES, "no scene with a long move fits the world")]
 
 
 # One quantity alone comes before two together, so that the simpler of two causes is told first.
@@ -97,7 +118,7 @@ LADDERS = (
     Ladder(
         "far-pair",
         "the number of vertices (a robot and one obstacle of N vertices each, a long move)",
-        _family("hugging", lambda size: {"m": size, "obstacles": 1, "n": size, "far": FAR}),
+        _far_pair,
         *(256, 50_000),
         harder_than="pair",
     ),

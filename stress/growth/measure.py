@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import takewhile
+from math import inf
 
 from gen.scenario import Scenario, render
 from judge.explanation import Growth
@@ -17,7 +18,7 @@ Say = Callable[[str], None]
 
 ELAPSED_S = 12.0  # for all ladders; a run that has begun then may end
 RUN_S = 2.0  # CPU seconds of one run
-SHORT_S = 0.02  # up to here, the next size is four times as large, and later twice
+STEPS = ((0.004, 8), (0.02, 4), (inf, 2))  # up to so many seconds, the next N is so many times
 CLEAR_S = 0.04  # times from here on count for the fit, as start and chance matter less
 NEARLY_NOTHING = [Scenario([(0, 0), (1, 0), (0, 1)], (1, 0), [])]
 LEAST = 16  # no N is smaller
@@ -95,11 +96,11 @@ class _Climb:
         clear = [size for size, seconds in self._cpu_s.items() if seconds >= self._clear_s]
         if self._over is None:
             largest = max(self._cpu_s)
-            factor = 4 if self._cpu_s[largest] <= SHORT_S else 2
+            factor = next(factor for most_s, factor in STEPS if self._cpu_s[largest] <= most_s)
             following = min(factor * largest, self.ladder.most)
             if following > largest and self._expected_s(following) <= self._most_s:
                 return following
-        if len(clear) > 1:
+        if len(clear) >= FITTED:
             return None
         slow = [*clear, *([] if self._over is None else [self._over])]
         half = min(slow, default=0) // 2

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import msgspec
@@ -26,7 +28,10 @@ from judge.reports.slowness import slow_sentences
 from judge.reports.terminal import print_report
 from judge.results import CaseResult, GroupResult, Judging
 
+from .conftest import QUIET
+
 PROBLEM = load()
+Judged = Callable[..., Judging]
 TRIANGLE = "0 0\n1 0\n0 1\n"
 SQUARE = "4\n0 0\n1 0\n1 1\n0 1\n"
 # A robot of 3 without obstacles, and a robot of 4 with a triangle and a square.
@@ -181,33 +186,35 @@ def test_the_setter_decides_how_much_is_told(
     assert (SIZE.case.encode() in to_json(permitted)) == (named and case == SIZE.case)
 
 
-def test_a_judging_tells_it_and_measures_on_request(tmp_path: Path) -> None:
-    """And a measurement that fails costs nothing but itself."""
+@pytest.fixture
+def endless(tmp_path: Path) -> Judged:
+    """A function that judges a program that never ends, on one small case."""
     case = case_at(tmp_path / "data", "secret/small/01")
     case.input.parent.mkdir(parents=True)
     case.input.write_text(TWO)
     case.answer.write_text("YES\nNO\n")
     program = tmp_path / "endless.py"
     program.write_text("while True: pass\n")
-    submission = read_submission(program)
-    options = Options(data=tmp_path / "data", no_wall=True, time_limit_s=0.3)
-    outcome = judge(submission, PROBLEM, options)
-    assert outcome.slowness is not None
-    assert outcome.slowness.growths == ()
-    assert outcome.slowness.size is not None
-    assert outcome.slowness.size.pairs == 28
+    options = Options(data=tmp_path / "data", no_wall=True, time_limit_s=0.2)
+    return partial(judge, read_submission(program), options=options)
+
+
+def test_a_judging_tells_it_and_measures_on_request(endless: Judged) -> None:
+    outcome = endless(PROBLEM, measure=lambda _failure: (FAST,))
     late = first_timeout(outcome.cases)
     assert late is not None
-    assert late.case == case
-    measured = judge(submission, PROBLEM, options, measure=lambda _failure: (FAST,))
-    assert measured.slowness == replace(outcome.slowness, growths=(FAST,))
+    assert outcome.slowness is not None
+    assert outcome.slowness.growths == (FAST,)
+    assert outcome.slowness.size == size_of(late.case, PROBLEM, Manifest(1, {}))
 
+
+@pytest.mark.slow
+def test_a_measurement_that_fails_or_may_not_be_told_costs_only_itself(endless: Judged) -> None:
     def fails(_failure: Failure) -> tuple[Growth, ...]:
         raise KitError("no more scratch space")
 
-    failed = judge(submission, PROBLEM, options, measure=fails)
-    assert (failed.slowness, failed.unexplained) == (outcome.slowness, "no more scratch space")
-    quiet = msgspec.structs.replace(
-        PROBLEM, feedback=Feedback(tell="verdict", name_secret_cases=True)
-    )
-    assert judge(submission, quiet, options, measure=fails).slowness is None
+    failed = endless(PROBLEM, measure=fails)
+    assert failed.slowness is not None
+    assert (failed.slowness.growths, failed.unexplained) == ((), "no more scratch space")
+    quiet = endless(QUIET, measure=fails)
+    assert (quiet.slowness, quiet.unexplained) == (None, "")
