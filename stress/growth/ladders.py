@@ -20,6 +20,7 @@ from gen.rng import Rng, derive
 from gen.scenario import LIMIT, Scenario, bounds, moved
 from gen.shapes.convex import near_circle
 
+FEW = 5  # obstacles: some methods are done with one obstacle early, by chance
 REPEAT = 1  # of the seed: equal sizes, equal inputs
 TRIES = 100
 LONG_MOVE = 120_000_000, 40_000_000  # across most of the world
@@ -28,7 +29,7 @@ WIDE = 60  # times N: the length of an edge that is about as wide as a robot of 
 
 @dataclass(frozen=True, slots=True)
 class Ladder:
-    """One quantity. Its scenes have about N vertices in all, or twice that, for the N of `make`.
+    """One quantity. `make` returns the scenarios of an input for one N.
 
     quantity: completes `the time grows in ...`. least, most: the values of N. may: the time may
     grow like N ** may, up to logarithms. harder_than: the ladder of which this one is a harder
@@ -80,15 +81,15 @@ def _far_pair(size: int) -> list[Scenario]:
 LADDERS = (
     Ladder(
         "robot",
-        "the number of robot vertices (one obstacle, a triangle)",
-        _family("hugging", lambda size: {"m": size, "obstacles": 1}),
+        "the number of robot vertices (with five obstacles, triangles)",
+        _family("hugging", lambda size: {"m": size, "obstacles": FEW}),
         *(256, 100_000),
     ),
     Ladder(
         "obstacle",
-        "the number of vertices of one obstacle (the robot is a triangle)",
-        _family("hugging", lambda size: {"m": 3, "obstacles": 1, "n": size}),
-        *(256, 100_000),
+        "the number of vertices of each obstacle (five of them, and the robot is a triangle)",
+        _family("hugging", lambda size: {"m": 3, "obstacles": FEW, "n": size}),
+        *(256, 40_000),
     ),
     Ladder(
         "obstacles",

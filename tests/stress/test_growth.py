@@ -67,7 +67,7 @@ def test_a_ladder_holds_valid_scenes_that_are_free_and_grow(name):
         assert set(answers(scenes)) == {"YES"}
         grown = {
             "robot": max(map(robot, scenes)),
-            "obstacle": max(map(others, scenes)),
+            "obstacle": min(map(len, scenes[0].obstacles)),
             "obstacles": len(scenes[0].obstacles),
             "scenarios": len(scenes),
             "move": scenes[0].move[0],
@@ -78,7 +78,7 @@ def test_a_ladder_holds_valid_scenes_that_are_free_and_grow(name):
         assert grown[name] == size
         if "triangles" in name:
             assert len(scenes[0].obstacles) == size // 3
-        assert summary.vertices <= 3 * size + 6 or name in ("scenarios", "obstacles")
+        assert summary.vertices <= 6 * size + 20
     assert ladder.most <= 100_000 or name == "move"
 
 
@@ -178,7 +178,7 @@ def test_a_real_program_is_measured(tmp_path):
         "import sys\nlines = sys.stdin.readlines()\nn = len(lines)\n"
         "steps = sum(1 for _ in range(n) for _ in range(n))\nprint('YES')\n"
     )
-    (growth,) = measured(read_submission(program), [replace(BY_NAME["obstacle"], least=700)])
+    (growth,) = measured(read_submission(program), [replace(BY_NAME["obstacle"], least=200)])
     assert growth.too_fast
     assert 1.7 < growth.exponent < 2.3
 
@@ -214,8 +214,9 @@ def test_every_slow_submission_has_its_direction_here():
 def test_the_direction_of_a_slow_submission_is_true(name, monkeypatch):
     monkeypatch.setattr(measuring, "ELAPSED_S", 90.0)  # a busy machine is no reason to fail
     submission = read_submission(SUBMISSIONS / "time_limit_exceeded" / name)
-    found = {g.ladder: g.exponent for g in measured(submission, LADDERS) if g.too_fast}
-    assert found.keys() >= DIRECTIONS[name].keys()
-    assert not found.keys() & NOT.get(name, set())
+    climbed = {*DIRECTIONS[name], *NOT.get(name, ())}
+    growths = measured(submission, [BY_NAME[ladder] for ladder in climbed])
+    found = {growth.ladder: growth.exponent for growth in growths if growth.too_fast}
+    assert found.keys() == DIRECTIONS[name].keys()
     for ladder, expected in DIRECTIONS[name].items():
-        assert abs(found[ladder] - expected) < 0.5, ladder
+        assert abs(found[ladder] - expected) < 0.8, ladder
