@@ -10,6 +10,8 @@ import pytest
 
 from judge.kit.processors import processors
 
+from .compiled import Compiled
+
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_configure() -> None:
@@ -18,6 +20,17 @@ def pytest_configure() -> None:
     # children inherit that. Tests interrupt their children and expect them to stop.
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.fixture
+def compiled_once(tmp_path_factory, monkeypatch):
+    """In this test, submissions are compiled only if no test with this fixture did so before."""
+    own = tmp_path_factory.getbasetemp()
+    shared = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "compiled"
+    shared.mkdir(exist_ok=True)
+    compiled = Compiled(shared)
+    for module in ("judge.pool", "strength.gallery.programs"):
+        monkeypatch.setattr(f"{module}.compile_submission", compiled.compile)
 
 
 def keep_bytecode() -> None:

@@ -210,6 +210,7 @@ def test_every_slow_submission_has_its_direction_here():
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("compiled_once")
 @pytest.mark.parametrize("name", DIRECTIONS)
 def test_the_direction_of_a_slow_submission_is_true(name, monkeypatch):
     monkeypatch.setattr(measuring, "ELAPSED_S", 90.0)  # a busy machine is no reason to fail

@@ -77,6 +77,7 @@ def test_verdicts_on_committed_cases(name):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("compiled_once")
 @pytest.mark.parametrize("name", PROBLEM.submissions)
 def test_verdicts(name):
     groups = [group for group in decided(name) if group in BUILT]

@@ -102,6 +102,7 @@ def test_known_answers_are_current():
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("compiled_once")
 def test_all_known_answers_are_current_and_the_first_lesson_is_nearly_always_the_true_one():
     answers = asked(faulty_submissions(PROBLEM))
     assert answers_text(steady_answers(answers)) == (GALLERY / "answers.json").read_bytes()
