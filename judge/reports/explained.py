@@ -13,6 +13,8 @@ from rich.text import Text
 from judge.explanation import Counterexample, Diagnosis, FailedScene
 from judge.kit.text import printable_name
 from judge.problem.verdict import Verdict
+from judge.reports.slowness import TITLE as SLOW
+from judge.reports.slowness import slow_sentences
 from judge.reports.words import (
     SHORT_LINES,
     as_input,
@@ -50,6 +52,9 @@ def print_explained(
         _print(console, _failure_lines(failure, smaller=example is not None, verbose=verbose))
     if judging.diagnosis is not None:
         _print(console, _diagnosis_lines(judging.diagnosis, explain=explain))
+    if judging.slowness is not None:
+        console.print(Text(f"{SLOW}:", style=TITLE))
+        _print(console, (f"  {sentence}" for sentence in slow_sentences(judging.slowness)))
     if example is not None:
         print_counterexample(console, example)
     elif judging.unexplained:

@@ -9,6 +9,7 @@ from judge.kit.text import counted
 from judge.problem.verdict import Verdict
 from judge.reports import words
 from judge.reports.page import render
+from judge.reports.slowness import TITLE, slow_sentences
 from judge.results import CaseResult, GroupResult, Judging
 
 MEANING = {
@@ -40,6 +41,8 @@ def to_html(judging: Judging) -> bytes:
         diagnosis=judging.diagnosis,
         example=example,
         as_image=_as_image,
+        slow_title=TITLE,
+        slow=[] if judging.slowness is None else slow_sentences(judging.slowness),
         meaning=MEANING,
         share=share,
         note_of=_note,

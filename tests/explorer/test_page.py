@@ -128,6 +128,7 @@ def test_an_obstacle_and_its_corner_are_dragged(opened):
     assert scene(page).obstacles == [[(9, 7), (13, 7), (13, 9)]]
 
 
+@pytest.mark.slow  # other drags are fast tests
 def test_a_corner_stays_where_the_polygon_is_convex(opened):
     page = opened(link(HIT))
     for by in ((9, 3), (2, 9), (-3, -3), (0, 5), (-9, 7), (3, -8)):
@@ -609,6 +610,7 @@ def test_a_finger_drags_on_a_phone_and_nothing_is_cut_off(opened):
     assert page.evaluate("window.scrollY") == 0
 
 
+@pytest.mark.slow  # a finger drags in a fast test
 def test_two_fingers_zoom(opened):
     page = opened(link(HIT), phone=True)
     before = unit_px(page)

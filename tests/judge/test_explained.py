@@ -24,6 +24,8 @@ from judge.reports.explained import print_explained
 from judge.reports.terminal import print_report
 from judge.results import CaseResult, GroupResult, Judging
 
+from .conftest import WRONG
+
 LESSONS = tuple(
     MissedLesson(f"lesson-{n}", f"Sentence number {n}.", (f"scene-{n}", f"other-{n}"))
     for n in range(1, 5)
@@ -195,7 +197,7 @@ def test_the_command_that_draws_works_in_any_directory_and_shell(
     source: Source, checker: Callable[..., subprocess.CompletedProcess[str]], tmp_path: Path
 ) -> None:
     """Printed in one directory; run in another, without the environment of the first."""
-    done = checker(source("yes.py", "print('YES\\n' * 9)\n"), "--case", "sample/03*")
+    done = checker(source("yes.py", WRONG), "--case", "sample/03*")
     command = re.search(r"^  see it (.*)$", done.stdout, re.MULTILINE)
     assert command is not None, done.stdout
     assert str(DATA / "sample/03-touch.in") in command[1]
@@ -222,7 +224,7 @@ def test_a_search_is_offered_and_its_result_told(
         return lambda _failure: EXAMPLE
 
     report, page = data.parent / "report.json", data.parent / "report.html"
-    command = [str(source("yes.py", "print('YES')\n")), "--data", str(data), "--no-wall"]
+    command = [str(source("yes.py", WRONG)), "--data", str(data), "--no-wall"]
     assert main(command, make_search) == 1
     offered = capsys.readouterr().out
     assert "--explain looks for a smallest input" in offered

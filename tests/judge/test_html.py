@@ -17,6 +17,7 @@ from judge.problem.verdict import Verdict
 from judge.reports.html import MEANING, to_html
 from judge.results import CaseResult, GroupResult, Judging, Scale, not_run
 
+from .conftest import WRONG
 from .test_explained import DIAGNOSIS, EXAMPLE, ILLUSTRATED, SCENE, failed
 from .test_feedback import FIRST, SECOND, THIRD
 
@@ -176,7 +177,7 @@ def test_every_verdict_has_its_words(verdict: Verdict) -> None:
 def test_from_the_command_line(
     checker: Callable[..., CompletedProcess[str]], source: Source, data: Path, tmp_path: Path
 ) -> None:
-    path = source("w.py", "print('YES')\n")
+    path = source("w.py", WRONG)
     done = checker(path, "--data", data, "--html", tmp_path / "report.html")
     assert done.returncode == 1
     Reader((tmp_path / "report.html").read_text())
