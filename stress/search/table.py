@@ -103,9 +103,12 @@ def rows_of(names: Sequence[str], problem: Problem, seed: int, jobs: int) -> Ite
 
 
 def _judged(path: Path, problem: Problem, seed: int, jobs: int) -> Judging:
-    """Judge a submission until a group fails, then search."""
+    """Judge a submission until a group fails, then search. Groups that it passes are left out."""
+    name = path.relative_to(SUBMISSIONS).as_posix()
     judging: Judging | None = None
     for group in problem.group_names:
+        if problem.expected(name, group) == {Verdict.AC}:
+            continue
         options = Options(groups=(group,), jobs=jobs, stop_on_first=True)
         search = make_search(seed, add=False)
         judging = judge(read_submission(path), problem, options, events=Events(), search=search)
