@@ -17,7 +17,7 @@ from gen.families import FAMILIES, Parameters, find
 from gen.plan import HAND_MADE, NAME, NAME_FORM, Recipe
 from gen.validator import InputError, UsageError, load_rules, validate
 from judge.kit.checksums import Checksums
-from judge.kit.command import add_jobs, complain, run
+from judge.kit.command import Parser, add_jobs, complain, run
 from judge.kit.errors import KitError
 from judge.kit.files import write_whole
 from judge.kit.paths import DATA, REFERENCE, ROOT
@@ -54,7 +54,7 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="python -m gen", description="Make and check test data.")
+    parser = Parser(prog="python -m gen", description="Make and check test data.")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
     listing = commands.add_parser("list", help="the families, their parameters, and all cases")

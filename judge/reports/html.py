@@ -40,6 +40,7 @@ def to_html(judging: Judging) -> bytes:
         diagnosis=judging.diagnosis,
         example=example,
         as_image=_as_image,
+        first_of=words.first_of,
         meaning=MEANING,
         share=share,
         note_of=_note,

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from judge.judging import wait_until_ready
-from judge.kit.command import add_jobs, whole_number
+from judge.kit.command import Parser, add_jobs, complain, whole_number
 from judge.kit.console import PlainConsole
 from judge.kit.processors import cores
 from judge.kit.progress import progress_bar
@@ -45,8 +45,9 @@ def _compile(pool: Pool, submission: Submission) -> None:
     """Wait until it is compiled. Raises JudgeError where no wall works, CompileError."""
     ready = wait_until_ready(pool, pool.prepare(), submission)
     if ready.compile_error:
-        first_line = ready.compile_error.partition("\n")[0]
-        raise CompileError(f"{submission.name}: does not compile: {first_line}")
+        for line in ready.compile_error.splitlines():
+            complain(line)
+        raise CompileError(f"{submission.name}: does not compile")
 
 
 def _tell(result: Result, seed: int, asked: argparse.Namespace) -> int:
@@ -64,7 +65,7 @@ def _tell(result: Result, seed: int, asked: argparse.Namespace) -> int:
 
 
 def _options(arguments: Sequence[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m stress",
         description="Draw scenarios until the program gets one wrong; shrink that one. "
         "Exit status: 0 nothing found, 1 found, 2 failed.",

@@ -92,6 +92,16 @@ def test_the_checker_explains_and_a_judging_without_that_does_not_load_the_searc
     assert run_trusted("python", (sys.executable, "-c", loads)).split() == []
 
 
+def test_a_compile_error_is_shown_with_its_lines(tmp_path, capsys):
+    program = tmp_path / "ce.py"
+    program.write_text("x = 1\nif x\n    y = 2\n")
+    assert cli.main([str(program), "--no-wall"]) == 2
+    said = capsys.readouterr().err
+    assert "\n    if x\n" in said
+    assert "SyntaxError" in said
+    assert said.endswith(f"stress: {program}: does not compile\n")
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
