@@ -16,7 +16,7 @@ from judge.languages.table import by_name
 from judge.pool import Job, Pool
 from judge.problem.declaration import load
 from judge.reports.explained import print_counterexample
-from judge.sandbox.facts import RunLimits
+from judge.run import declared_limits
 from stress.running.trial import Subject
 from stress.search.search import DRAWING_S, Result, search
 from stress.search.session import new_seed, with_addition
@@ -31,12 +31,10 @@ def command(arguments: Sequence[str]) -> int:
     language = None if asked.language is None else by_name(asked.language)
     submission = read_submission(Path(asked.program), language)
     seed = new_seed() if asked.seed is None else asked.seed
-    limits = problem.limits
-    run_limits = RunLimits(limits.time_limit_s, limits.memory_mib, limits.output_mib)
     job = Job(submission, problem, without_wall=asked.no_wall, keepers=asked.jobs)
     with progress_bar(f"compiling {submission.name}") as bar, Pool(job, asked.jobs) as pool:
         _compile(pool, submission)
-        subject = Subject(pool.attempts, run_limits)
+        subject = Subject(pool.attempts, declared_limits(problem.limits))
         result = search(subject, (), seed=seed, drawing_s=asked.seconds, say=bar.say)
     return _tell(result, seed, asked)
 
