@@ -93,5 +93,6 @@ format: setup ## format the code
 types: setup ## check the types
 	@$(RUN) -m mypy
 
-clean: ## delete what can be rebuilt: environment, large data, caches
-	@rm -rf .venv build data/secret/large data/secret/many .pytest_cache .mypy_cache .ruff_cache .hypothesis
+clean: ## delete what can be rebuilt: environment, large data, caches; data that you added stays
+	@if [ -e .venv/.ready ]; then $(RUN) -m gen clean; else echo "data/ is kept: the kit is not set up"; fi
+	@rm -rf .venv build .pytest_cache .mypy_cache .ruff_cache .hypothesis
