@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from xml.etree.ElementTree import Element, parse
@@ -14,12 +14,15 @@ from export.verify.inputs import spoiled_inputs, valid
 from export.verify.outputs import accepted, random_outputs
 from export.verify.testlib import OK as CHECKER_OK
 from export.verify.testlib import Checker, Validator, VerifyError, compile_with, find_testlib
+from gen.scenario import parse as parse_input
+from gen.scenario import render
 from judge.kit.trusted import run_trusted
 
 SEED = 12
 QUICK_COUNT, COUNT = 300, 5000  # random files, and random outputs
 QUICK_BYTES = 1 << 20  # larger tests take seconds each
-SMALL_BYTES = 3000  # of a test that is spoiled
+# Files to spoil are made of a few small scenarios of each test that is not too large.
+SOURCE_BYTES, SOURCE_SCENARIOS, SOURCE_VERTICES = 100_000, 3, 40
 MIB = 1 << 20
 VERDICTS = {"ok": True, "wrong-answer": False}
 IMPORT = """
@@ -82,8 +85,7 @@ def verify(archive: Path, scratch: Path, python: Path, *, quick: bool) -> Report
 
     count = QUICK_COUNT if quick else COUNT
     groups = sorted({test.get("group", "") for test, _ in tests})
-    inputs = [paths["input"] for _, paths in tests]
-    small = [path.read_bytes() for path in inputs if path.stat().st_size <= SMALL_BYTES]
+    small = _small(paths["input"] for _, paths in tests)
     return Report(
         tests=len(tests),
         faults=sum(test.get("verdict") == "invalid" for test, _ in validator_tests),
@@ -111,6 +113,17 @@ def _same_verdict(checker: Checker, paths: dict[str, Path], expected: bool) -> N
     verdicts = (checker.accepts(output, answer), accepted(output, answer))
     if verdicts != (expected, expected):
         raise VerifyError(f"{paths['output']}: expected {expected}; checker and kit say {verdicts}")
+
+
+def _small(paths: Iterable[Path]) -> list[bytes]:
+    """Return small valid files, at most one for each test."""
+    found = []
+    for path in paths:
+        if path.stat().st_size <= SOURCE_BYTES:
+            scenes = [s for s in parse_input(path.read_bytes()) if s.vertices <= SOURCE_VERTICES]
+            if scenes:
+                found.append(render(scenes[:SOURCE_SCENARIOS]))
+    return found
 
 
 def _spoiled(
