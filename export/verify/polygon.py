@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import sys
 import zipfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from xml.etree.ElementTree import Element, parse
@@ -37,11 +38,13 @@ asyncio.run(PolygonImporter(main_language=None).import_package(package, into))
 class Report:
     """How many agreements were seen; any disagreement is an error.
 
-    tests: of the package. faults: its invalid files. files, outputs: random ones, `valid_files`
-    and `right_outputs` of which were accepted by both. imported: tests that rbx read.
+    tests: of the package. generated: those made again by its generator. faults: its invalid
+    files. files, outputs: random ones, `valid_files` and `right_outputs` of which were accepted
+    by both. imported: tests that rbx read.
     """
 
     tests: int
+    generated: int
     faults: int
     checker_tests: int
     files: int
@@ -88,6 +91,7 @@ def verify(archive: Path, scratch: Path, python: Path, *, quick: bool) -> Report
     small = _small(paths["input"] for _, paths in tests)
     return Report(
         tests=len(tests),
+        generated=_generated(tests, package),
         faults=sum(test.get("verdict") == "invalid" for test, _ in validator_tests),
         checker_tests=len(checker_tests),
         files=count,
@@ -96,6 +100,20 @@ def verify(archive: Path, scratch: Path, python: Path, *, quick: bool) -> Report
         right_outputs=_random(checker, count),
         imported=_imported(python, package, scratch / "rbx", testset),
     )
+
+
+def _generated(tests: Sequence[tuple[Element, dict[str, Path]]], package: Path) -> int:
+    """Make every generated test again; return how many. Raises VerifyError for other bytes."""
+    count = 0
+    for test, paths in tests:
+        if test.get("method") == "generated":
+            name, *arguments = test.get("cmd", "").split()
+            program = package / "files" / f"{name}.py"
+            made = run_trusted(name, (sys.executable, "-I", str(program), *arguments))
+            if made != paths["input"].read_bytes():
+                raise VerifyError(f"{paths['input']}: {test.get('cmd')} writes other bytes")
+            count += 1
+    return count
 
 
 def _same(validator: Validator, path: Path, group: str | None, expected: bool) -> None:
