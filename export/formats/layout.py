@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection
 from uuid import UUID, uuid5
 
 from export.files import Files
@@ -66,6 +66,6 @@ def runnable(package: Package) -> tuple[Submission, ...]:
     return tuple(each for each in package.submissions if each.overall != {Verdict.CE})
 
 
-def in_order(verdicts: frozenset[Verdict] | Mapping[Verdict, object]) -> list[str]:
+def in_order(verdicts: Collection[Verdict]) -> list[str]:
     """Return verdicts as words, in the order of their definition."""
     return [verdict.value for verdict in Verdict if verdict in verdicts]

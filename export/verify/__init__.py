@@ -1,1 +1,1 @@
-"""Proof that the packages are right, by the judges' own tools. One module per tool, no more."""
+"""The packages, read back by the judges' own tools."""
