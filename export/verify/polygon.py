@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import sys
-import zipfile
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from xml.etree.ElementTree import Element, parse
 
 import yaml
 
 from export.verify.inputs import spoiled_inputs, valid
+from export.verify.job import Job, VerifyError, run_tool
 from export.verify.outputs import accepted, random_outputs
 from export.verify.testlib import OK as CHECKER_OK
-from export.verify.testlib import Checker, Validator, VerifyError, compile_with, find_testlib
+from export.verify.testlib import Checker, Validator, compile_with, find_testlib
 from gen.scenario import parse as parse_input
 from gen.scenario import render
 from judge.kit.trusted import run_trusted
@@ -34,46 +33,25 @@ asyncio.run(PolygonImporter(main_language=None).import_package(package, into))
 """
 
 
-@dataclass(frozen=True, slots=True)
-class Report:
-    """How many agreements were seen; any disagreement is an error.
-
-    tests: of the package. generated: those made again by its generator. faults: its invalid
-    files. files, outputs: random ones, `valid_files` and `right_outputs` of which were accepted
-    by both. imported: tests that rbx read.
-    """
-
-    tests: int
-    generated: int
-    faults: int
-    checker_tests: int
-    files: int
-    valid_files: int
-    outputs: int
-    right_outputs: int
-    imported: int
-
-
-def verify(archive: Path, scratch: Path, python: Path, *, quick: bool) -> Report:
+def verify(job: Job) -> list[str]:
     """Compare the programs of a package with the kit's own, and let rbx import it.
 
-    scratch: an empty directory. python: of an environment with rbx-cp. quick: fewer random
-    files, and no large tests. Raises VerifyError at the first difference, ProgramError.
+    quick: fewer random files, and no large tests. Raises VerifyError at the first difference.
     """
-    package = scratch / "package"
-    with zipfile.ZipFile(archive) as files:
-        files.extractall(package)
+    package = job.unpack()
     root = parse(package / "problem.xml").getroot()
     assets, testset = _child(root, "assets"), _child(root, "judging/testset")
     checked, validated = _child(assets, "checker"), _child(assets, "validators/validator")
-    testlib = find_testlib(python)
-    validator = Validator(compile_with(testlib, package / _source(validated), scratch / "val"))
-    checker = Checker(compile_with(testlib, package / _source(checked), scratch / "chk"), scratch)
+    work = job.scratch / "work"
+    work.mkdir()
+    testlib = find_testlib(job.python)
+    validator = Validator(compile_with(testlib, package / _source(validated), work / "validator"))
+    checker = Checker(compile_with(testlib, package / _source(checked), work / "checker"), work)
 
     tests = [
         (test, paths)
         for test, paths in _tests(testset, package)
-        if not quick or paths["input"].stat().st_size <= QUICK_BYTES
+        if not job.quick or paths["input"].stat().st_size <= QUICK_BYTES
     ]
     for test, paths in tests:
         _same(validator, paths["input"], test.get("group"), True)
@@ -86,20 +64,20 @@ def verify(archive: Path, scratch: Path, python: Path, *, quick: bool) -> Report
     for test, paths in checker_tests:
         _same_verdict(checker, paths, VERDICTS[test.get("verdict", "")])
 
-    count = QUICK_COUNT if quick else COUNT
+    count = QUICK_COUNT if job.quick else COUNT
     groups = sorted({test.get("group", "") for test, _ in tests})
     small = _small(paths["input"] for _, paths in tests)
-    return Report(
-        tests=len(tests),
-        generated=_generated(tests, package),
-        faults=sum(test.get("verdict") == "invalid" for test, _ in validator_tests),
-        checker_tests=len(checker_tests),
-        files=count,
-        valid_files=_spoiled(validator, small, [None, *groups], count, scratch),
-        outputs=count,
-        right_outputs=_random(checker, count),
-        imported=_imported(python, package, scratch / "rbx", testset),
-    )
+    faults = sum(test.get("verdict") == "invalid" for test, _ in validator_tests)
+    valid_files = _spoiled(validator, small, [None, *groups], count, work)
+    right = _random(checker, count)
+    return [
+        f"generator: {_generated(tests, package)} large tests, byte for byte",
+        f"testlib validator: agrees on {len(tests)} tests, {faults} invalid files, "
+        f"{count:,} spoiled files ({valid_files:,} of them valid)",
+        f"testlib checker: agrees on {len(checker_tests)} pairs by hand, "
+        f"{count:,} random ones ({right:,} of them right)",
+        f"rbx: imported {_imported(job.python, package, work / 'rbx', testset)} tests",
+    ]
 
 
 def _generated(tests: Sequence[tuple[Element, dict[str, Path]]], package: Path) -> int:
@@ -180,7 +158,7 @@ def _random(checker: Checker, count: int) -> int:
 def _imported(python: Path, package: Path, into: Path, testset: Element) -> int:
     """Let rbx import the package; return how many tests it read. Raises VerifyError."""
     into.mkdir()
-    run_trusted("rbx", (str(python), "-c", IMPORT, str(package), str(into)))
+    run_tool((python, "-c", IMPORT, package, into), into)
     found = yaml.safe_load((into / "problem.rbx.yml").read_text(encoding="utf-8"))
     facts = {
         "timeLimit": found["timeLimit"],
