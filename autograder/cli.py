@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import sys
 import time
 import traceback
 from collections.abc import Sequence
@@ -28,14 +29,15 @@ from judge.problem.declaration import Problem, load
 from judge.problem.verdict import Verdict
 from judge.reports.terminal import print_report
 from judge.results import Judging
+from judge.sandbox.keeper.launch import open_to_all
 from stress.front import make_search
 
 DONE, FAILED = 0, 2
 PLACE = Path("/autograder")
 OURS = ("source", "submission", "results")
-NO_WALL = (
-    "No wall works in this container: submissions can use the network. They run as users of their "
-    "own, who cannot enter /autograder/{source,submission,results}."
+OWN_USERS = (
+    "no wall works in this container; programs run as users of their own, who cannot enter "
+    "source/, submission/ and results/, but can use the network"
 )
 
 
@@ -80,9 +82,9 @@ def _judging(submission: Submission, problem: Problem) -> Judging:
     """Judge a submission; print all about it, for the instructor. Raises KitError."""
     options = Options(jobs=cores(), no_wall=True)
     judging = judge(submission, problem, options, search=make_search(None, False))
-    print_report(PlainConsole(), judging, explain=True)
-    if judging.wall is None and os.getuid() == 0:
-        print(NO_WALL)
+    print_report(PlainConsole(), judging)
+    if judging.wall is None and os.getuid() == 0 and open_to_all(os.path.realpath(sys.executable)):
+        print(OWN_USERS)
     failed = next((result for result in judging.cases if result.verdict is Verdict.JE), None)
     if failed is not None:
         raise JudgeFailedError(f"{failed.case.name}: {failed.message}")

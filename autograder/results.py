@@ -99,7 +99,8 @@ def refused(reason: str, groups: Sequence[Group]) -> bytes:
 
 def broken(reason: str) -> bytes:
     """Return results.json for a failure of the judge: no score; the instructor sees the reason."""
-    test = Test("autograder", "failed", reason, visibility="hidden")
+    said = "\n".join(printable_name(line) for line in reason.splitlines())
+    test = Test("autograder", "failed", said, visibility="hidden")
     return _text(Results(output=FAILED, tests=[test], output_format="text"))
 
 
