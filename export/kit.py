@@ -1,7 +1,7 @@
 """The kit itself as part of a package: what a judging needs, below `kit/`.
 
-Large inputs are left out; `python -m gen build` makes them from their seeds, where the package is
-used. Their answers are in the package.
+Large inputs are left out; `kit/prepare.sh` makes them from their seeds, where the package is used.
+Their answers are in the package.
 """
 
 from __future__ import annotations
@@ -24,8 +24,18 @@ from judge.problem.order import ORDER
 KIT = "kit/"
 LARGE_BYTES = 100_000  # an input of a family that is larger is made from its seed
 SUFFIXES = frozenset({".py", ".toml", ".json", ".html", ".css"})
-ALWAYS = ("checker.py", "problem.toml", "problem.md", "pyproject.toml", "LICENSE", "tools/setup.py")
+ALWAYS = ("checker.py", "problem.toml", "pyproject.toml", "LICENSE", "tools/setup.py")
 GALLERY = "data/gallery"
+
+
+PREPARE = """\
+#!/usr/bin/env bash
+# Makes the kit's environment, and its large test cases from their seeds. PYTHON: 3.11 or newer.
+set -euo pipefail
+cd "$(dirname "$0")"
+"${{PYTHON:-python3}}" tools/setup.py
+.venv/bin/python -m gen build{cases}
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,16 +77,21 @@ def kit_files(package: Package, parts: Parts) -> Files:
     manifest = msgspec.json.format(msgspec.json.encode(Manifest(VERSION, entries)), indent=1)
     files.add(f"{KIT}data/{MANIFEST}", manifest + b"\n")
     files.add(f"{KIT}data/{ORDER}", DATA / ORDER)
+    files.add(f"{KIT}prepare.sh", _prepare(package), executable=True)
     if (DATA / ADDED).is_file():
         files.add(f"{KIT}data/{ADDED}", DATA / ADDED)
     return files
 
 
-def build_command(package: Package) -> str:
-    """Return the command that makes the inputs that are left out, to run in `kit/`."""
-    rebuilt = [name for name, entry in _entries(package).items() if _is_rebuilt(entry)]
-    some = [f"'{name}'" for name in rebuilt] if package.compact else []
-    return " ".join([".venv/bin/python -m gen build", *some])
+def rebuilt(package: Package) -> list[str]:
+    """Return the names of the cases whose inputs are left out."""
+    return [name for name, entry in _entries(package).items() if _is_rebuilt(entry)]
+
+
+def _prepare(package: Package) -> str:
+    """Return the script that makes the environment and the inputs that are left out."""
+    cases = [f"'{name}'" for name in rebuilt(package)] if package.compact else []
+    return PREPARE.format(cases="".join(f" \\\n  {case}" for case in cases))
 
 
 def _entries(package: Package) -> dict[str, Entry]:

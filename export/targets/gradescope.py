@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from autograder.results import broken
 from export.files import Files
-from export.kit import Parts, build_command, kit_files
+from export.kit import Parts, kit_files
 from export.package import Package
 from export.target import Target
 
@@ -30,21 +30,19 @@ SETUP = """\
 # Builds the image: compilers, the kit's environment, the large test cases from their seeds.
 # For submissions in other languages, add to the packages: rustc golang-go nodejs pypy3.
 set -euo pipefail
-cd "${{AUTOGRADER:-/autograder}}/source/kit"
-python=python3
-if [ -z "${{AUTOGRADER_NO_APT:-}}" ]; then
+export PYTHON=python3
+if [ -z "${AUTOGRADER_NO_APT:-}" ]; then
   export DEBIAN_FRONTEND=noninteractive
-  install() {{ apt-get install -y -qq --no-install-recommends "$@"; }}
+  install() { apt-get install -y -qq --no-install-recommends "$@"; }
   apt-get update -qq
   install g++ default-jdk-headless python3 python3-venv
   install bubblewrap || echo "no bubblewrap here; the kit brings its own"
   if ! python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))'; then
     install python3.11 python3.11-venv  # Ubuntu 22.04
-    python=python3.11
+    PYTHON=python3.11
   fi
 fi
-"$python" tools/setup.py
-{build}
+bash "${AUTOGRADER:-/autograder}/source/kit/prepare.sh"
 """
 
 RUN = """\
@@ -60,7 +58,7 @@ exec python3 "$root/source/kit/autograder" "$root"
 def build(package: Package) -> Files:
     """Lay out setup.sh, run_autograder, what run_autograder leaves if it is ended, and the kit."""
     files = kit_files(package, PARTS)
-    files.add("setup.sh", SETUP.format(build=build_command(package)), executable=True)
+    files.add("setup.sh", SETUP, executable=True)
     files.add("run_autograder", RUN, executable=True)
     files.add("unfinished.json", broken(UNFINISHED))
     return files

@@ -54,8 +54,7 @@ def test_the_manifest_holds_the_chosen_cases_and_the_calibration_case(package: P
     manifest = json.loads(files.entries["kit/data/manifest.json"].read())
     chosen = {case.name for group in package.groups for case in group.cases}
     assert set(manifest["cases"]) == chosen | {package.problem.calibration.case}
-    setup = files.entries["setup.sh"].read().decode()
-    assert "gen build 'secret/large/" in setup
+    assert "'secret/large/01-largest'" in files.entries["kit/prepare.sh"].read().decode()
 
 
 def test_what_is_left_if_the_judging_is_ended_blames_nobody(package: Package) -> None:
