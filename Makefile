@@ -8,7 +8,7 @@ TARGET ?= all
 RUN := .venv/bin/python
 
 .DEFAULT_GOAL := help
-.PHONY: help setup data judge test test-all case export figures stress strength mutants gallery worlds calibrate \
+.PHONY: help setup data judge test test-all case export verify-exports figures stress strength mutants gallery worlds calibrate \
   explorer check schema lint format types clean
 
 help: ## list these commands
@@ -27,6 +27,9 @@ setup: .venv/.ready-dev ## make the environment .venv (other make commands do th
 .venv/.ready-dev: pyproject.toml tools/setup.py .venv/bin/python
 	@$(PYTHON) tools/setup.py --dev
 
+build/judges/.ready: pyproject.toml tools/setup.py
+	@$(PYTHON) tools/setup.py --judges
+
 # It is missing if the Python that made the environment is gone; then .venv is made again.
 .venv/bin/python: ;
 
@@ -37,16 +40,19 @@ judge: data ## judge a program on all test cases: make judge [SUBMISSION=my.cpp]
 	@$(RUN) checker.py $(SUBMISSION)
 
 test: setup data ## run the fast tests, in about two minutes
-	@$(RUN) -m pytest -n auto -m "not slow"
+	@$(RUN) -m pytest -n auto --dist loadgroup -m "not slow"
 
 test-all: setup data ## run all tests, also the slow ones
-	@$(RUN) -m pytest -n auto
+	@$(RUN) -m pytest -n auto --dist loadgroup
 
 case: .venv/.ready ## add a test case: make case FAMILY=contacts [SEED=7] [GROUP=small] [ARGS="--set n=9"]
 	@$(RUN) -m gen case $(FAMILY) --seed $(SEED) --group $(GROUP) $(ARGS)
 
 export: .venv/.ready-export data ## write packages for other judges: make export [TARGET=kattis]
 	@$(RUN) -m export $(TARGET)
+
+verify-exports: .venv/.ready-export build/judges/.ready data ## let the judges' own tools read the packages
+	@$(RUN) -m export verify $(TARGET)
 
 figures: .venv/.ready ## redraw the figures of the statement
 	@$(RUN) -m pictures figures

@@ -1,7 +1,7 @@
 """How the time of three methods grows with the input: `python -m bench growth`.
 
-Two experiments, each on scenes in which obstacles surround the robot closely and none is touched,
-so that no method can stop early:
+Two experiments, ladders of `stress/growth/`: on their scenes obstacles surround the robot closely
+and none is touched, so that no method can stop early:
 
   pair       a robot of n vertices and one obstacle of n vertices
   triangles  a robot of n vertices among n / 3 triangles
@@ -19,19 +19,18 @@ import sys
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import log
 from pathlib import Path
-from statistics import linear_regression
 
 import msgspec
 
 from bench.measure import cpu_s
 from bench.plot import Curve, Panel, plot
-from gen.build import render_family
+from gen.scenario import render
 from judge.kit.command import run, whole_number
 from judge.kit.files import FileError, write_whole
 from judge.kit.paths import BRUTE_FORCE, REFERENCE, ROOT, SUBMISSIONS
 from judge.kit.trusted import python_command
+from stress.growth.ladders import BY_NAME, exponent
 
 METHODS = {
     "naive": BRUTE_FORCE,
@@ -100,7 +99,7 @@ def _measure(options: argparse.Namespace) -> int:
                 sizes = [max(6, size // options.part) for size in full_sizes]
                 seconds = []
                 for size in sizes:
-                    file.write_bytes(_scene(experiment, size))
+                    file.write_bytes(render(BY_NAME[experiment].make(size)))
                     command = python_command(METHODS[method])
                     least = min(cpu_s(command, file) for _ in range(options.runs))
                     seconds.append(round(max(least - start_s, 0.0001), 4))
@@ -113,28 +112,6 @@ def _measure(options: argparse.Namespace) -> int:
     write_whole(options.output / "growth.json", report)
     write_whole(options.output / "growth.svg", _picture(results).encode())
     return MEASURED
-
-
-def _scene(experiment: str, size: int) -> bytes:
-    """Return an input file of one scenario that is answered YES."""
-    count, n = (1, size) if experiment == "pair" else (size // 3, 3)
-    parameters: dict[str, int | str] = {
-        "scenarios": 1,
-        "m": size,
-        "obstacles": count,
-        "n": n,
-        "deciding": "none",
-    }
-    return render_family("hugging", parameters, 1)
-
-
-def exponent(sizes: Sequence[int], seconds: Sequence[float]) -> float:
-    """Return b of the curve a * n^b that fits best.
-
-    >>> exponent([1, 2, 4], [3, 12, 48])
-    2.0
-    """
-    return round(linear_regression([log(n) for n in sizes], [log(s) for s in seconds]).slope, 2)
 
 
 def _picture(results: Sequence[Growth]) -> str:

@@ -6,18 +6,15 @@ import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
-from export.files import Files
-from export.package import ExportError, Package, load_package
-from export.target import Target
+from export.package import Package, load_package
 from export.targets import TARGETS
+from export.verify import cli as verify
+from export.write import ALL, chosen, write
 from judge.kit.command import run
 from judge.kit.paths import BUILD
-from judge.kit.progress import progress_bar
-from judge.kit.text import did_you_mean
 
 DONE = 0
-MIB = 1 << 20
-LIST, ALL = "list", "all"
+LIST, VERIFY = "list", "verify"
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -26,9 +23,12 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _command(arguments: Sequence[str]) -> int:
+    if arguments[:1] == [VERIFY]:
+        return verify.command(arguments[1:])
     parser = argparse.ArgumentParser(
         prog="python -m export",
-        description="Write packages that other judges import as they are.",
+        description="Write packages that other judges import as they are. "
+        "Another command: python -m export verify.",
     )
     add = parser.add_argument
     add("target", nargs="+", help=f"what to write; '{LIST}' names the targets, '{ALL}' means all")
@@ -47,44 +47,9 @@ def _command(arguments: Sequence[str]) -> int:
     return DONE
 
 
-def chosen(names: Sequence[str]) -> list[Target]:
-    """Return the named targets, each once. Raises ExportError for an unknown name."""
-    if ALL in names:
-        return list(TARGETS.values())
-    for name in names:
-        if name not in TARGETS:
-            near = did_you_mean(name, TARGETS)
-            known = ", ".join(TARGETS)
-            raise ExportError(f"no target {name!r}{near}; expected one of {known}")
-    return [TARGETS[name] for name in dict.fromkeys(names)]
-
-
 def show_targets() -> int:
     """Print every target with its judge."""
     width = max(map(len, TARGETS))
     for target in TARGETS.values():
         print(f"{target.name:{width}}  {target.title}")
     return DONE
-
-
-def write(target: Target, package: Package, directory: Path) -> Path:
-    """Build one package and write it; print where it is and what to do with it."""
-    path = directory / target.file_name
-    with progress_bar(target.name) as bar:
-        files: Files = target.build(package)
-        bar.begin(files.size // MIB, f"{target.name} (MiB)")
-        written = 0
-
-        def done(count: int) -> None:
-            nonlocal written
-            bar.advance((written + count) // MIB - written // MIB)
-            written += count
-
-        if target.directory:
-            files.write_directory(path, done)
-        else:
-            files.write_zip(path, done)
-    size = files.size if target.directory else path.stat().st_size
-    print(f"{path}: {size / MIB:,.1f} MiB, {len(files.entries):,} files")
-    print(f"  {target.import_it}")
-    return path

@@ -16,8 +16,8 @@ from judge.kit.files import open_whole
 
 # The strictest rule of the judges: Kattis. Every part of a path keeps it.
 NAME = re.compile(r"[a-zA-Z0-9_][a-zA-Z0-9_.-]*")
-# Two files are hidden by their name because their judges look for them.
-HIDDEN = frozenset({".timelimit", ".github", ".gitignore"})
+# These are hidden by their name because their judges look for them so.
+HIDDEN = frozenset({".timelimit", ".github", ".gitignore", ".pdf"})
 EPOCH = (1980, 1, 1, 0, 0, 0)  # the earliest time that a zip can hold: equal input, equal bytes
 PLAIN, EXECUTABLE = 0o100644, 0o100755
 CHUNK = 1 << 20

@@ -14,6 +14,7 @@ from judge.kit.store import Store
 from judge.problem.cases import Case
 from judge.problem.data import load_data
 from judge.problem.declaration import Group, Problem, load
+from judge.problem.manifest import Manifest
 from judge.problem.verdict import Verdict
 
 STATEMENT = ROOT / "problem.md"
@@ -92,6 +93,7 @@ class Package:
     groups: tuple[TestGroup, ...]
     submissions: tuple[Submission, ...]
     invalid_inputs: tuple[InvalidInput, ...]
+    manifest: Manifest
     compact: bool = False
 
     @property
@@ -131,6 +133,7 @@ def load_package(*, compact: bool = False) -> Package:
         ),
         submissions=tuple(_submissions(problem)),
         invalid_inputs=tuple(_invalid_inputs()),
+        manifest=data.manifest,
         compact=compact,
     )
 

@@ -15,7 +15,8 @@ class Target:
 
     name: as on the command line. title: the judge, in words. build: lays the package out.
     import_it: what to do with the file, one or two sentences. directory: it is written as a
-    directory, not as a zip. max_bytes: the judge's limit on the zip; None: none is known.
+    directory, not as a zip. compact: only the compact cases. max_bytes: the judge's limit on the
+    zip; None: none is known.
     """
 
     name: str

@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,15 +19,17 @@ from judge.kit.paths import DATA
 from judge.kit.processors import cores
 
 if TYPE_CHECKING:
-    from judge.judging import Search
+    from judge.explanation import Diagnosis
+    from judge.judging import Measure, Search
     from judge.languages.submission import Submission
+    from judge.problem.declaration import Problem
     from judge.results import Judging
 
-    MakeSearch = Callable[[int | None, bool], Search]
 
 EXIT_ACCEPTED, EXIT_REJECTED, EXIT_ERROR = 0, 1, FAILED
 
-EXPLAIN = "--explain looks for a smallest input that it gets wrong"
+EXPLAIN = "looks for a smallest input that it gets wrong"
+EXPLAIN_SLOW = "measures what its time grows with"
 
 EXAMPLES = """\
 examples:
@@ -41,22 +44,38 @@ exit status: 0 accepted, 1 not accepted, 2 usage or judge error, 130 interrupted
 """
 
 
+@dataclass(frozen=True, slots=True)
+class Explainers:
+    """What --explain adds, made by rooms that the judge does not import.
+
+    make_search: returns the search for a counterexample that repeats a seed, or one with a new
+    seed for None; the flag: add what it finds to the data. illustrate: draws the scene of each
+    missed lesson. measure: finds out how the time of a program grows that was too slow.
+    """
+
+    make_search: Callable[[int | None, bool], Search]
+    illustrate: Callable[[Diagnosis], Diagnosis]
+    measure: Measure
+
+
 class UsageError(KitError):
     """The options contradict each other or cannot be followed."""
 
 
-def main(arguments: Sequence[str] | None = None, make_search: MakeSearch | None = None) -> int:
+def main(
+    arguments: Sequence[str] | None = None,
+    explainers: Explainers | None = None,
+) -> int:
     """Judge as the arguments say and return the exit status.
 
-    make_search: returns the search for a counterexample that repeats a seed, or one with a new
-    seed for None; the flag: add what it finds to the data. Without it there is no --explain.
+    explainers: what --explain adds; without them there is no --explain.
     """
     signal.signal(signal.SIGTERM, _interrupt)
     signal.signal(signal.SIGHUP, _interrupt)
     if sys.stdout is None:  # the exit status and the reports are useful alone
         sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115 (open until the process ends)
     interrupted = "interrupted, nothing is left running"
-    command = partial(_command, arguments, make_search)
+    command = partial(_command, arguments, explainers)
     return run("checker.py", command, interrupted=interrupted, reader_gone=EXIT_ERROR)
 
 
@@ -64,25 +83,25 @@ def _interrupt(_signal: int, _frame: object) -> None:
     raise KeyboardInterrupt
 
 
-def _command(arguments: Sequence[str] | None, make_search: MakeSearch | None) -> int:
+def _command(arguments: Sequence[str] | None, explainers: Explainers | None) -> int:
     parser = _parser()
-    if make_search is not None:
+    if explainers is not None:
         _add_search(parser)
     asked = parser.parse_args(arguments)
     if asked.submission is None and sys.stdin.isatty():
         parser.print_help()
         return EXIT_ERROR
-    if make_search is None:
-        return _judge(asked, None, "")
+    if explainers is None:
+        return _judge(asked, None, hints=False)
     for option, value in (("--seed", asked.seed), ("--add", asked.add)):
         if value not in (None, False) and not asked.explain:
             raise UsageError(f"{option}: expected --explain with it, found none")
     if not asked.explain:
-        return _judge(asked, None, EXPLAIN)
-    return _judge(asked, make_search(asked.seed, asked.add), "")
+        return _judge(asked, None, hints=True)
+    return _judge(asked, explainers, hints=False)
 
 
-def _judge(asked: argparse.Namespace, search: Search | None, hint: str) -> int:
+def _judge(asked: argparse.Namespace, explainers: Explainers | None, *, hints: bool) -> int:
     # Imported here, so that help and usage errors appear at once.
     from judge.judging import UNEXPLAINED, Options, judge
     from judge.problem.declaration import load
@@ -107,18 +126,33 @@ def _judge(asked: argparse.Namespace, search: Search | None, hint: str) -> int:
     from judge.reports.terminal import live, print_report
 
     console = PlainConsole()
+    explain = explainers is not None
+    search = explainers.make_search(asked.seed, asked.add) if explainers else None
+    measure = explainers.measure if explainers else None
     with live(console, problem.feedback) as events:
-        judging = judge(submission, problem, options, events=events, search=search)
+        judging = judge(submission, problem, options, events=events, search=search, measure=measure)
     permitted = told(judging, problem.feedback)
-    if search is not None and judging.verdict is Verdict.AC:
+    if explainers is not None and permitted.diagnosis is not None:
+        permitted = replace(permitted, diagnosis=explainers.illustrate(permitted.diagnosis))
+    if explain and judging.verdict is Verdict.AC:
         console.print("accepted: there is nothing to explain")
-    said = hint if problem.feedback.counterexample and judging.verdict not in UNEXPLAINED else ""
-    print_report(console, permitted, explain=search is not None, verbose=asked.verbose, hint=said)
+    hint = _hint(judging, problem) if hints and judging.verdict not in UNEXPLAINED else ""
+    print_report(console, permitted, explain=explain, verbose=asked.verbose, hint=hint)
     for write in reports:
         write(permitted)
     if judging.verdict is Verdict.JE:
         return EXIT_ERROR
     return EXIT_ACCEPTED if judging.verdict is Verdict.AC else EXIT_REJECTED
+
+
+def _hint(judging: Judging, problem: Problem) -> str:
+    """Return what --explain would add to the report of a program that is not accepted."""
+    from judge.diagnosis.slowness import first_timeout
+
+    adds = [EXPLAIN] if problem.feedback.counterexample else []
+    if problem.feedback.lessons and first_timeout(judging.cases) is not None:
+        adds.append(EXPLAIN_SLOW)
+    return f"--explain {' and '.join(adds)}" if adds else ""
 
 
 def _make_answers(directory: Path | None) -> None:
@@ -133,18 +167,10 @@ def _make_answers(directory: Path | None) -> None:
 
 def _reports(asked: argparse.Namespace) -> list[Callable[[Judging], None]]:
     """Return the functions that write the reports, after checking that their places can be used."""
-    from judge.reports.html import to_html
-    from judge.reports.junit import to_junit
-    from judge.reports.schema import to_json
-
     writers: list[Callable[[Judging], None]] = []
     taken = {Path(asked.submission or "-").absolute(): "the submission"}
-    asked_for = (
-        ("--json", asked.json, to_json),
-        ("--junit", asked.junit, to_junit),
-        ("--html", asked.html, to_html),
-    )
-    for option, path, form in asked_for:
+    asked_for = (("--json", asked.json), ("--junit", asked.junit), ("--html", asked.html))
+    for option, path in asked_for:
         if path is None:
             continue
         check_place(option, path)
@@ -153,8 +179,23 @@ def _reports(asked: argparse.Namespace) -> list[Callable[[Judging], None]]:
         if other := taken.get(path.absolute()):
             raise UsageError(f"{option} {path}: expected a file of its own, found {other}")
         taken[path.absolute()] = f"the file of {option}"
-        writers.append(partial(_write, option, path, form))
+        writers.append(partial(_write, option, path, _form(option)))
     return writers
+
+
+def _form(option: str) -> Callable[[Judging], bytes]:
+    """Return the function that makes a report; its libraries are loaded only if it is asked for."""
+    if option == "--json":
+        from judge.reports.schema import to_json
+
+        return to_json
+    if option == "--junit":
+        from judge.reports.junit import to_junit
+
+        return to_junit
+    from judge.reports.html import to_html
+
+    return to_html
 
 
 def _write(option: str, path: Path, form: Callable[[Judging], bytes], judging: Judging) -> None:

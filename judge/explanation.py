@@ -1,4 +1,4 @@
-"""What a report tells about a program that is not accepted: the lessons it misses, a scenario."""
+"""What a report tells about a program that is not accepted: lessons, a scenario, what is slow."""
 
 from __future__ import annotations
 
@@ -7,12 +7,34 @@ from pathlib import Path
 
 
 @dataclass(frozen=True, slots=True)
+class FailedScene:
+    """A gallery scene that a program answers wrongly.
+
+    input: the whole text of an input file that holds only this scene. found: YES, NO, or in words
+    that there was no answer. sentence: why the expected answer is right; picture: SVG text; file:
+    where both are kept (the picture beside the input). The last three are empty if nobody asked.
+    """
+
+    name: str
+    input: str
+    expected: str
+    found: str
+    sentence: str = ""
+    picture: str = ""
+    file: Path | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class MissedLesson:
-    """A lesson that a program misses: its id, its sentence, the gallery scenes answered wrongly."""
+    """A lesson that a program misses: its id, its sentence, the gallery scenes answered wrongly.
+
+    scene: the smallest of these scenes, None if there is none or it may not be told.
+    """
 
     id: str
     sentence: str
     scenes: tuple[str, ...]
+    scene: FailedScene | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,3 +89,59 @@ class Counterexample:
     file: Path | None = None
     seconds: float = 0.0
     steps: tuple[str, ...] = field(default=())
+
+
+@dataclass(frozen=True, slots=True)
+class Size:
+    """How large a test case is that a program was too slow for.
+
+    case: its name. family: what made it, empty if that is not known. promise: of its group,
+    as the statement words it; empty if it has none. scenarios: how many. robot, obstacles,
+    obstacle: the largest m, k and n. walks: the sum of k * m over the scenarios, the steps of
+    one walk around the robot for each obstacle. pairs: the sum of m * n over all obstacles, the
+    steps of a comparison of each edge of the robot with each edge of each obstacle.
+    """
+
+    case: str
+    family: str
+    promise: str
+    scenarios: int
+    robot: int
+    obstacles: int
+    obstacle: int
+    walks: int
+    pairs: int
+
+
+@dataclass(frozen=True, slots=True)
+class Growth:
+    """How a program's CPU time grows with one quantity N of its input; all others stay the same.
+
+    ladder: a short name. quantity: completes `N is ...`. sizes, cpu_s: the values of N in the
+    fit, and the seconds without the program's start; only the largest N if no time was long
+    enough for a fit. over: the first N that took too long to be measured, or None. exponent: b
+    of the curve a * N ** b that fits, None without a fit. may: the exponent to aim at.
+    too_fast: the exponent is clearly larger than that.
+    """
+
+    ladder: str
+    quantity: str
+    sizes: tuple[int, ...]
+    cpu_s: tuple[float, ...]
+    over: int | None
+    exponent: float | None
+    may: float
+    too_fast: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Slowness:
+    """What is known about a program that was too slow.
+
+    size: of the first test case that it was too slow for, None if that may not be told or the
+    file is no input of this problem. growths: as measured, what to tell first at the beginning;
+    empty if nothing was measured.
+    """
+
+    size: Size | None
+    growths: tuple[Growth, ...] = ()

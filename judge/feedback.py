@@ -9,6 +9,7 @@ from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 
+from judge.explanation import Diagnosis, Slowness
 from judge.problem.cases import Case
 from judge.problem.declaration import Feedback
 from judge.problem.verdict import Verdict
@@ -55,7 +56,27 @@ def told(judging: Judging, feedback: Feedback) -> Judging:
     return replace(
         judging,
         groups=groups,
-        diagnosis=judging.diagnosis if feedback.lessons else None,
+        slowness=_slowness(judging, feedback),
+        diagnosis=_diagnosis(judging.diagnosis, feedback),
         counterexample=judging.counterexample if feedback.counterexample else None,
         unexplained=judging.unexplained if feedback.counterexample else "",
     )
+
+
+def _diagnosis(found: Diagnosis | None, feedback: Feedback) -> Diagnosis | None:
+    """Return what may be told of a diagnosis. A scene with its answers is a counterexample."""
+    if found is None or not feedback.lessons:
+        return None
+    if feedback.counterexample:
+        return found
+    return replace(found, lessons=tuple(replace(each, scene=None) for each in found.lessons))
+
+
+def _slowness(judging: Judging, feedback: Feedback) -> Slowness | None:
+    """Return what may be told of a program that was too slow: the size of a case tells of it."""
+    found = judging.slowness
+    if found is None or not feedback.lessons:
+        return None
+    if feedback.name_secret_cases or found.size is None or not found.size.case.startswith(SECRET):
+        return found
+    return replace(found, size=None) if found.growths else None

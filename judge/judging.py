@@ -9,7 +9,8 @@ from pathlib import Path
 
 from judge.diagnosis.diagnose import after_example, diagnose
 from judge.diagnosis.gallery import load_gallery
-from judge.explanation import Counterexample
+from judge.diagnosis.slowness import first_timeout, size_of
+from judge.explanation import Counterexample, Growth, Slowness
 from judge.kept import KeptVerdicts
 from judge.kit.errors import KitError
 from judge.kit.paths import BRUTE_FORCE, DATA, REFERENCE, SUBMISSIONS
@@ -21,6 +22,7 @@ from judge.pool import Job, Pending, Pool, Ready
 from judge.problem.data import Data, load_data
 from judge.problem.declaration import Problem
 from judge.problem.given import wrong_answer_in
+from judge.problem.manifest import Manifest
 from judge.problem.order import judging_order
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging, Scale, first_failure, group_results, not_run
@@ -82,6 +84,7 @@ class Failure:
 
 
 Search = Callable[[Failure], Counterexample | str]  # or why there is none; raises KitError
+Measure = Callable[[Failure], tuple[Growth, ...]]  # raises KitError
 
 
 def judge(
@@ -92,12 +95,14 @@ def judge(
     events: Events | None = None,
     executor: Executor | None = None,
     search: Search | None = None,
+    measure: Measure | None = None,
 ) -> Judging:
     """Judge `submission` and return all results.
 
     executor: carries out `options.jobs` runs at a time; None: threads. Its workers
     need the kit, the data at the same paths, and a place for scratch files. search: finds the
     counterexample for a program that is not accepted; None: there is none in the results.
+    measure: finds out how the time of a program grows that was too slow; None: nothing does.
     Raises KitError if nothing can be judged; a single run that fails for a fault of the
     machine is JE. After any exception, even Ctrl-C, no process and no file is left.
     """
@@ -146,7 +151,8 @@ def judge(
             options.jobs,
             events.phase,
         )
-        return _explained(judging, failure, search)
+        explained = _explained(judging, failure, search)
+        return _with_slowness(explained, failure, data.manifest, measure)
 
 
 def _explained(judging: Judging, failure: Failure, search: Search | None) -> Judging:
@@ -172,6 +178,24 @@ def _explained(judging: Judging, failure: Failure, search: Search | None) -> Jud
     if found is not None:
         found = after_example(gallery, found, example)
     return replace(judging, diagnosis=found, counterexample=example)
+
+
+def _with_slowness(
+    judging: Judging, failure: Failure, manifest: Manifest, measure: Measure | None
+) -> Judging:
+    """Return the judging with what is known about a time limit that was exceeded."""
+    late = first_timeout(judging.cases)
+    if late is None:
+        return judging
+    size = size_of(late.case, failure.problem, manifest)
+    judging = replace(judging, slowness=None if size is None else Slowness(size))
+    if measure is None:
+        return judging
+    try:
+        return replace(judging, slowness=Slowness(size, measure(failure)))
+    except KitError as error:
+        said = (judging.unexplained, str(error))
+        return replace(judging, unexplained="; ".join(filter(None, said)))
 
 
 def _doubt(result: CaseResult | None) -> str:

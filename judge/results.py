@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from judge.compare import Mismatch
-from judge.explanation import Counterexample, Diagnosis
+from judge.explanation import Counterexample, Diagnosis, Slowness
 from judge.problem.cases import Case
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
@@ -77,7 +77,8 @@ class Judging:
     less. message: the compiler's, for CE. wall: the wall around every run, or None.
     limit_given: the time limit is not the declared one, scaled or not. diagnosis: for a program
     that ran and is not accepted, if feedback permits it; counterexample: if one was asked for,
-    permitted and found; unexplained: if one was asked for and not found, why.
+    permitted and found; unexplained: if one was asked for and not found, why. slowness: of a
+    program that was too slow for a case, if feedback permits it.
     """
 
     submission: str
@@ -97,6 +98,7 @@ class Judging:
     diagnosis: Diagnosis | None = None
     counterexample: Counterexample | None = None
     unexplained: str = ""
+    slowness: Slowness | None = None
 
     @property
     def cases(self) -> tuple[CaseResult, ...]:

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 
 from gen.geometry import Point
-from gen.scenario import Box, Scenario
+from gen.scenario import Scenario
+from pictures.exact.bodies import Bodies
 from pictures.exact.extremes import Extremes
 from pictures.exact.meeting import ExactPoint, Feature, facing, overlap_witness
 from pictures.exact.pair import Gap, Touch
 from pictures.exact.pause import collector_paused
-from pictures.exact.search import box, search
+from pictures.exact.search import search
 from pictures.exact.within import lies_within
 
 
@@ -73,28 +73,29 @@ class Approach:
     point: ExactPoint
 
 
-def decisive(scenario: Scenario, boxes: Sequence[Box] | None = None) -> Contact | Approach | None:
+def decisive(scenario: Scenario, bodies: Bodies | None = None) -> Contact | Approach | None:
     """Return why the answer is what it is; None if there is no obstacle.
 
-    boxes: those of the obstacles, if they are known. Exact. O(m + n), and a few steps of
+    bodies: of the scenario, if there are some already. Exact. O(m + n), and a few steps of
     O(log m + log n) for each obstacle near the way.
     """
+    bodies = bodies or Bodies(scenario)
     with collector_paused():
-        boxes = boxes or [box(obstacle) for obstacle in scenario.obstacles]
-        found = search(scenario, boxes)
+        found = search(bodies)
     if found is None:
         return None
     if isinstance(found.event, Touch):
-        return _contact(scenario, found.obstacle, found.event)
-    return _approach(scenario, found.obstacle, found.event)
+        return _contact(bodies, found.obstacle, found.event)
+    return _approach(bodies, found.obstacle, found.event)
 
 
-def _contact(scenario: Scenario, index: int, touch: Touch) -> Contact:
+def _contact(bodies: Bodies, index: int, touch: Touch) -> Contact:
+    scenario = bodies.scenario
     robot, obstacle = scenario.robot, scenario.obstacles[index]
     time, (dx, dy) = touch.time, scenario.move
     if touch.toward is not None:
         shift = time * dx, time * dy
-        mine, its, _, point = facing(Extremes(robot), Extremes(obstacle), touch.toward, shift)
+        mine, its, _, point = facing(bodies.robot, bodies.obstacle(index), touch.toward, shift)
         return Contact(index, time, _KINDS[len(mine), len(its)], mine, its, point)
     if lies_within(robot, obstacle):
         return Contact(index, time, Kind.ROBOT_INSIDE, (), (), _exact(robot[0]))
@@ -104,13 +105,13 @@ def _contact(scenario: Scenario, index: int, touch: Touch) -> Contact:
     return Contact(index, time, Kind.OVERLAP, mine, its, point)
 
 
-def _approach(scenario: Scenario, index: int, gap: Gap) -> Approach:
-    robot, obstacle = Extremes(scenario.robot), Extremes(scenario.obstacles[index])
-    (dx, dy), (wx, wy) = scenario.move, gap.toward
+def _approach(bodies: Bodies, index: int, gap: Gap) -> Approach:
+    robot, obstacle, move = bodies.robot, bodies.obstacle(index), bodies.scenario.move
+    (dx, dy), (wx, wy) = move, gap.toward
     pace = wx * dx + wy * dy
     time = Fraction(pace > 0)
-    if pace == 0 and scenario.move != (0, 0):
-        time = _first_opposite(robot, obstacle, gap.toward, scenario.move)
+    if pace == 0 and move != (0, 0):
+        time = _first_opposite(robot, obstacle, gap.toward, move)
     mine, its, near, point = facing(robot, obstacle, gap.toward, (time * dx, time * dy))
     kind = _KINDS[len(mine), len(its)]
     return Approach(index, time, kind, mine, its, gap.squared, near, point)

@@ -26,10 +26,11 @@ import {
 } from "./control/library.js";
 import { POSITIONS, Session } from "./control/session.js";
 import { Board } from "./view/board.js";
-import { DIFFERENCE_LAYERS, differenceBox, paintDifference } from "./view/difference_view.js";
+import { DIFFERENCE_LAYERS, paintDifference } from "./view/difference_view.js";
 import { paintMerge } from "./view/merge_view.js";
-import { nearPlace, paintScene, partOf, SCENE_LAYERS, sceneBox } from "./view/scene_view.js";
+import { paintScene, partOf, SCENE_LAYERS } from "./view/scene_view.js";
 import { byId, fillChooser, paintControls } from "./view/panels.js";
+import { Sight } from "./view/sight.js";
 
 const PLAY_MS = 2500;
 const SPEAK_AFTER_MS = 500; // when nothing changed for so long
@@ -71,9 +72,7 @@ function redraw() {
 }
 
 function draw() {
-  const isDragging = sceneBoard.drag !== null;
-  if (!isDragging) sceneBoard.fit(sceneBox(session.scene));
-  if (session.sum) differenceBoard.fit(differenceBox(session.sum));
+  for (const sight of Object.values(sights)) sight.follow(session);
   const focused = document.activeElement;
   paintScene(sceneBoard, session);
   paintDifference(differenceBoard, session);
@@ -84,16 +83,6 @@ function draw() {
   paintControls(session, why);
   const { answer } = session.verdict;
   later("spoken", () => (byId("spoken").textContent = `${answer}. ${why}`), SPEAK_AFTER_MS);
-}
-
-function fitScene() {
-  sceneBoard.fit(sceneBox(session.scene), true);
-  redraw();
-}
-
-function fitDifference() {
-  differenceBoard.fit(session.sum ? differenceBox(session.sum) : sceneBox(session.scene), true);
-  redraw();
 }
 
 function changed(isOtherScene) {
@@ -137,8 +126,7 @@ function show(scene, from) {
     byId("scenario-count").textContent = source.file.length.toLocaleString("en");
   }
   say("");
-  fitScene();
-  fitDifference();
+  for (const sight of Object.values(sights)) sight.open(session);
   showText();
   showAddress();
   redraw();
@@ -288,7 +276,10 @@ const sceneBoard = new Board(byId("scene"), SCENE_LAYERS, redraw, (pixel, event)
   return drag;
 });
 const differenceBoard = new Board(byId("difference"), DIFFERENCE_LAYERS, redraw);
-const boards = { scene: sceneBoard, difference: differenceBoard };
+const sights = {
+  scene: new Sight("scene", sceneBoard, byId("scene-note")),
+  difference: new Sight("difference", differenceBoard, byId("difference-note")),
+};
 
 fillChooser(byId("scenes"), data.scenes);
 session = new Session(stored(data, data.first).scene, changed);
@@ -347,21 +338,22 @@ on("link", "click", copyLink);
 on("text", "input", readText);
 
 for (const group of document.querySelectorAll(".zoom")) {
-  const board = boards[group.dataset.board];
+  const sight = sights[group.dataset.board];
   const actions = {
-    in: () => board.zoom(BUTTON_ZOOM),
-    out: () => board.zoom(1 / BUTTON_ZOOM),
-    fit: () => (board === sceneBoard ? fitScene() : fitDifference()),
-    near() {
-      const [point, room] = nearPlace(session);
-      const [x, y] = board === sceneBoard ? point : [0, 0];
-      board.fit([x - room, y - room, x + room, y + room], true);
-      board.isOwnView = true;
-      redraw();
-    },
+    in: () => sight.board.zoom(BUTTON_ZOOM),
+    out: () => sight.board.zoom(1 / BUTTON_ZOOM),
+    fit: () => sight.showWhole(session),
+    near: () => sight.showNear(session),
   };
   group.addEventListener("click", (event) => actions[event.target.dataset.zoom]?.());
+  sight.note.addEventListener("click", actions.fit);
 }
+addEventListener("keydown", (event) => {
+  const { key, target, ctrlKey, metaKey, altKey } = event;
+  const action = { 0: "showWhole", 1: "showNear" }[key];
+  if (!action || ctrlKey || metaKey || altKey || target.closest?.("input, select, textarea")) return;
+  for (const sight of Object.values(sights)) sight[action](session);
+});
 on("scene", "focusin", (event) => {
   const key = event.target.dataset.part;
   if (key && !sceneBoard.drag) session.select(partOf(key));

@@ -1,1 +1,1 @@
-"""Proofs that a package works: one module per judge, each with `verify(package, scratch)`."""
+"""The packages, read back by the judges' own tools."""

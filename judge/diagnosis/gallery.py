@@ -59,6 +59,11 @@ class Scene(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         """The number of its obstacles."""
         return int(self.input.split(maxsplit=2)[1])
 
+    @property
+    def size(self) -> tuple[int, int]:
+        """The number of its lines, then of its characters: the least is the simplest to look at."""
+        return self.input.count("\n"), len(self.input)
+
 
 class SceneFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """The content of `scenes.toml`."""

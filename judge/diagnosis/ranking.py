@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
-from judge.diagnosis.gallery import NOT_ASKED, Gallery
-from judge.explanation import Like, MissedLesson
+from judge.diagnosis.gallery import NO, NO_ANSWER, NOT_ASKED, YES, Gallery, Scene, input_file
+from judge.explanation import FailedScene, Like, MissedLesson
 
+NOTHING = "no answer"
 NEAR = Fraction(4, 5)  # below it, the nearest known program misleads as often as it helps
 
 
@@ -43,7 +44,9 @@ def missed_lessons(gallery: Gallery, answers: str) -> tuple[MissedLesson, ...]:
             gallery.scenes[i].name
             for i in sorted(explained, key=lambda i: (i not in own[lesson], i))
         )
-        told.append(MissedLesson(lesson, gallery.lessons[lesson].sentence, names))
+        smallest = min(own[lesson], key=lambda i: (gallery.scenes[i].size, i))
+        scene = _failed(gallery.scenes[smallest], answers[smallest])
+        told.append(MissedLesson(lesson, gallery.lessons[lesson].sentence, names, scene))
     return tuple(told)
 
 
@@ -53,6 +56,12 @@ def wrong_scenes(gallery: Gallery, answers: str) -> frozenset[int]:
     return frozenset(
         index for index, (found, expected) in enumerate(pairs) if found not in (expected, NOT_ASKED)
     )
+
+
+def _failed(scene: Scene, letter: str) -> FailedScene:
+    """Return a scene that got a wrong answer, whose letter is given."""
+    found = NOTHING if letter == NO_ANSWER else YES if letter == YES[0] else NO
+    return FailedScene(scene.name, input_file([scene]).decode(), scene.answer, found)
 
 
 def known_alike(gallery: Gallery, answers: str) -> Like | None:

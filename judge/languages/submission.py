@@ -58,14 +58,14 @@ class Program:
         """Return one line that says where and why the program crashed; it may be empty."""
         if not stderr:
             return ""
-        return crash_reason(self.submission.language, _names(self.submission)[0], stderr)
+        return crash_reason(self.submission.language, names_of(self.submission)[0], stderr)
 
     def shown(self, stderr: bytes) -> str:
         """Return standard error as printable lines that name the user's file; it may be empty."""
         if not stderr:
             return ""
         name = printable_name(Path(self.submission.name).name) if self.submission.file else ""
-        source = _names(self.submission)[0]
+        source = names_of(self.submission)[0]
         return shown_stderr(stderr, source, name or source)
 
 
@@ -146,7 +146,7 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
         )
     tools = toolchain(submission.language)
     directory = sandbox.new_program_directory()
-    source_name, main = _names(submission)
+    source_name, main = names_of(submission)
     try:
         (directory / source_name).write_bytes(submission.source)
         tools.prepare(directory)
@@ -184,7 +184,7 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
     return Program(submission, replace(command, directory=directory))
 
 
-def _names(submission: Submission) -> tuple[str, str]:
+def names_of(submission: Submission) -> tuple[str, str]:
     """Return the name of the source file, and of the program or class to run."""
     language = submission.language
     stem = main = "submission"

@@ -16,6 +16,7 @@ from judge.problem.verdict import Verdict
 
 Positive = Annotated[int, msgspec.Meta(ge=1)]
 PositiveFloat = Annotated[float, msgspec.Meta(gt=0)]
+Uuid = Annotated[str, msgspec.Meta(pattern="^[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}$")]
 Name = Annotated[str, msgspec.Meta(pattern="^[a-z][a-z0-9_-]*$")]
 
 
@@ -100,6 +101,8 @@ class Problem(Strict, frozen=True):
     name: str
     short_name: Name
     license: str
+    rights_owner: str
+    uuid: Uuid
     limits: Limits
     calibration: Calibration
     constraints: Constraints

@@ -1,4 +1,4 @@
-"""Finds one scenario in the text of an input file, without a look at its geometry."""
+"""Finds scenarios and their sizes in the text of an input file, without a look at geometry."""
 
 from __future__ import annotations
 
@@ -26,6 +26,30 @@ def scenario_lines(path: Path, number: int) -> list[str] | None:
             return [line.rstrip("\n") for line in _scenario(read)]
     except (OSError, ValueError):
         return None
+
+
+def polygon_sizes(path: Path) -> list[tuple[int, list[int]]] | None:
+    """Return, for each scenario, the vertices of its robot and of each of its obstacles.
+
+    None: the file is no input of this problem, or it cannot be read. O(size).
+    """
+    sizes = []
+    try:
+        with path.open(encoding="ascii") as file:
+            read = partial(file.readline, _LINE_CHARS)
+            (scenarios,) = _integers(read(), 1)
+            for _ in range(scenarios):
+                lines = list(_scenario(read))
+                robot, obstacles = _integers(lines[0], 2)
+                at, found = 2 + robot, list[int]()
+                for _ in range(obstacles):
+                    (size,) = _integers(lines[at], 1)
+                    found.append(size)
+                    at += 1 + size
+                sizes.append((robot, found))
+    except (OSError, ValueError):
+        return None
+    return sizes
 
 
 def _scenario(read: Callable[[], str]) -> Iterator[str]:

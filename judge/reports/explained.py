@@ -10,9 +10,11 @@ from collections.abc import Iterator
 from rich.console import Console
 from rich.text import Text
 
-from judge.explanation import Counterexample, Diagnosis
+from judge.explanation import Counterexample, Diagnosis, FailedScene
 from judge.kit.text import printable_name
 from judge.problem.verdict import Verdict
+from judge.reports.slowness import TITLE as SLOW
+from judge.reports.slowness import slow_sentences
 from judge.reports.words import (
     SHORT_LINES,
     as_input,
@@ -50,6 +52,9 @@ def print_explained(
         _print(console, _failure_lines(failure, smaller=example is not None, verbose=verbose))
     if judging.diagnosis is not None:
         _print(console, _diagnosis_lines(judging.diagnosis, explain=explain))
+    if judging.slowness is not None:
+        console.print(Text(f"{SLOW}:", style=TITLE))
+        _print(console, (f"  {sentence}" for sentence in slow_sentences(judging.slowness)))
     if example is not None:
         print_counterexample(console, example)
     elif judging.unexplained:
@@ -98,7 +103,10 @@ def _diagnosis_lines(diagnosis: Diagnosis, *, explain: bool) -> Iterator[str | T
             more = len(lesson.scenes) - FEW_SCENES
             rest = f" and {more} more" if more > 0 else ""
             yield Text(f"     scenes: {some}{rest}", style="dim")
-            yield Text(f"     play with it: {page_of(lesson.scenes[0])}", style="dim")
+            if lesson.scene is not None:
+                yield from _scene_lines(lesson.scene)
+            shown_scene = lesson.scene.name if lesson.scene else lesson.scenes[0]
+            yield Text(f"     play with it: {page_of(shown_scene)}", style="dim")
     if more := len(diagnosis.lessons) - len(lessons):
         yield Text(f"  ({more} more: --explain)", style="dim")
     if lessons and any(lesson.scenes for lesson in lessons):
@@ -106,6 +114,21 @@ def _diagnosis_lines(diagnosis: Diagnosis, *, explain: bool) -> Iterator[str | T
     for sentence in (like_sentence(diagnosis), printable_name(diagnosis.remark)):
         if sentence:
             yield f"  {sentence}" if lessons else sentence
+
+
+def _scene_lines(scene: FailedScene) -> Iterator[str | Text]:
+    """Yield a scene of a missed lesson: its input if it is short, why, where it can be seen."""
+    lines = scene.input.splitlines()
+    yield f"     {printable_name(scene.name)}:"
+    if len(lines) <= SHORT_LINES + 1:  # the first says that there is one scenario
+        yield "\n".join(map(printable_name, lines))
+    elif scene.file is not None:
+        yield f"     input {shown(scene.file)}"
+    yield f"     expected {printable_name(scene.expected)}, found {printable_name(scene.found)}"
+    if scene.sentence:
+        yield f"     {printable_name(scene.sentence)}"
+    if scene.file is not None:
+        yield f"     picture {shown(scene.file.with_suffix('.svg'))}"
 
 
 def _example_lines(example: Counterexample) -> Iterator[str | Text]:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import base64
 from collections import Counter
 
-from judge.explanation import Counterexample
 from judge.kit.text import counted
 from judge.problem.verdict import Verdict
 from judge.reports import words
 from judge.reports.page import render
+from judge.reports.slowness import TITLE, slow_sentences
 from judge.results import CaseResult, GroupResult, Judging
 
 MEANING = {
@@ -40,7 +40,9 @@ def to_html(judging: Judging) -> bytes:
         short=words.SHORT_LINES,
         diagnosis=judging.diagnosis,
         example=example,
-        picture="" if example is None else _picture(example),
+        as_image=_as_image,
+        slow_title=TITLE,
+        slow=[] if judging.slowness is None else slow_sentences(judging.slowness),
         meaning=MEANING,
         share=share,
         note_of=_note,
@@ -60,11 +62,9 @@ def to_html(judging: Judging) -> bytes:
     return page.encode()
 
 
-def _picture(example: Counterexample) -> str:
-    """Return the picture as a data URL: in an image, its styles and names stay its own."""
-    if not example.picture:
-        return ""
-    return "data:image/svg+xml;base64," + base64.b64encode(example.picture.encode()).decode()
+def _as_image(picture: str) -> str:
+    """Return a picture as a data URL: in an image, its styles and names stay its own."""
+    return "data:image/svg+xml;base64," + base64.b64encode(picture.encode()).decode()
 
 
 def _note(result: CaseResult) -> str:

@@ -10,14 +10,14 @@ from typing import Annotated
 
 import msgspec
 
-from judge.explanation import Counterexample, Diagnosis
+from judge.explanation import Counterexample, Diagnosis, Slowness
 from judge.kit.files import write_whole
 from judge.kit.paths import ROOT
 from judge.kit.text import printable_name
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging
 
-SCHEMA_VERSION = 3
+SCHEMA_VERSION = 4
 FILE = ROOT / "docs" / "report.schema.json"
 
 
@@ -127,6 +127,54 @@ class CounterexampleReport(msgspec.Struct, frozen=True, forbid_unknown_fields=Tr
     steps: list[str]
 
 
+class SizeReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """How large the first test case is that the program was too slow for; new in version 4.
+
+    family: what made it, may be empty. promise: of its group. robot, obstacles, obstacle: the
+    largest m, k and n of its scenarios. walks: the sum of k * m. pairs: the sum of m * n.
+    """
+
+    case: str
+    family: str
+    promise: str
+    scenarios: int
+    robot: int
+    obstacles: int
+    obstacle: int
+    walks: int
+    pairs: int
+
+
+class GrowthReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """How the CPU time grows with one quantity N of the input; new in version 4.
+
+    ladder: a short name. quantity: completes `N is ...`. sizes, cpu_s: the measured N and
+    seconds, without the program's start. over: the first N that took too long, or null.
+    exponent: b of the curve a * N ** b that fits, null without a fit; may: the one to aim at;
+    too_fast: it is clearly larger than that.
+    """
+
+    ladder: str
+    quantity: str
+    sizes: list[int]
+    cpu_s: list[Seconds]
+    over: int | None
+    exponent: float | None
+    may: float
+    too_fast: bool
+
+
+class SlownessReport(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What is known about a program that was too slow; new in version 4.
+
+    size: null if it may not be told, or the case is no input of this problem. growths: what
+    grows too fast comes first; empty if nothing was measured.
+    """
+
+    size: SizeReport | None
+    growths: list[GrowthReport]
+
+
 class Report(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A whole judging.
 
@@ -135,7 +183,8 @@ class Report(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     from, new in version 2. wall: the wall around every run, null for none. partial: not all
     test cases of the kit were chosen; only groups judged whole score. New in version 3:
     diagnosis, like, counterexample; each is null if there is none or it may not be told;
-    unexplained: why a search for a counterexample found none.
+    unexplained: why a search for a counterexample found none. New in version 4: slowness, null
+    if no case was TLE or it may not be told.
     """
 
     schema_version: int
@@ -158,6 +207,7 @@ class Report(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     like: LikeReport | None
     counterexample: CounterexampleReport | None
     unexplained: str
+    slowness: SlownessReport | None
 
 
 def report_of(judging: Judging) -> Report:
@@ -183,6 +233,7 @@ def report_of(judging: Judging) -> Report:
         like=_like(judging.diagnosis),
         counterexample=_counterexample(judging.counterexample),
         unexplained=judging.unexplained,
+        slowness=_slowness(judging.slowness),
     )
 
 
@@ -237,6 +288,19 @@ def _counterexample(found: Counterexample | None) -> CounterexampleReport | None
         file=None if found.file is None else printable_name(str(found.file)),
         seconds=found.seconds,
         steps=list(found.steps),
+    )
+
+
+def _slowness(found: Slowness | None) -> SlownessReport | None:
+    if found is None:
+        return None
+    size = (
+        None
+        if found.size is None
+        else msgspec.convert(found.size, SizeReport, from_attributes=True)
+    )
+    return SlownessReport(
+        size, [msgspec.convert(g, GrowthReport, from_attributes=True) for g in found.growths]
     )
 
 

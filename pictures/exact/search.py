@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
 from gen.geometry import Polygon
-from gen.scenario import Box, Scenario
-from pictures.exact.extremes import Extremes
+from gen.scenario import Box
+from pictures.exact.bodies import Bodies, box
 from pictures.exact.pair import Gap, Touch, first_touch, gap
 from pictures.exact.sieve import Sieve
 
@@ -24,25 +23,27 @@ class Found:
     event: Touch | Gap
 
 
-def search(scenario: Scenario, boxes: Sequence[Box]) -> Found | None:
+def search(bodies: Bodies) -> Found | None:
     """Return the first contact (a Touch), else the closest approach (a Gap); None: no obstacle.
 
-    boxes: those of the obstacles. Of equal ones, the obstacle with the least index is named.
-    Exact. O(m), and a few steps of O(log m + log n) for each obstacle that is not excluded by
+    Of equal ones, the obstacle with the least index is named.
+    Exact. O(m + n), and a few steps of O(log m + log n) for each obstacle that is not excluded by
     its box, or by one edge that keeps it away.
     """
-    search = _Search(scenario)
-    for index, obstacle in enumerate(scenario.obstacles):
-        search.look_at(index, obstacle, boxes[index])
+    search = _Search(bodies)
+    obstacles = bodies.scenario.obstacles
+    for index, (obstacle, its_box) in enumerate(zip(obstacles, bodies.boxes, strict=True)):
+        if not (search.best and search.is_far(obstacle, its_box)):
+            search.look_at(index)
     return search.best
 
 
 class _Search:
-    def __init__(self, scenario: Scenario) -> None:
-        self.robot, self.move = scenario.robot, scenario.move
+    def __init__(self, bodies: Bodies) -> None:
+        self.move = bodies.scenario.move
         self.best: Found | None = None
-        self._extremes = Extremes(self.robot)
-        self._box = box(self.robot)
+        self._bodies = bodies
+        self._box = box(bodies.scenario.robot)
         self._touched = False
         self._seen_near = 0
         self._latest = Fraction(1)  # a later contact does not matter
@@ -51,24 +52,21 @@ class _Search:
 
     @cached_property
     def _sieve(self) -> Sieve:
-        return Sieve(self._extremes, self.move)
+        return Sieve(self._bodies.robot, self.move)
 
-    def look_at(self, index: int, obstacle: Polygon, its_box: Box) -> None:
-        """Take the next obstacle into account."""
-        best = self.best
-        if best and self._is_far(obstacle, its_box):
-            return
-        extremes = Extremes(obstacle)
+    def look_at(self, index: int) -> None:
+        """Take an obstacle into account."""
+        robot, obstacle = self._bodies.robot, self._bodies.obstacle(index)
         if not self._touched:
-            most = Fraction(*self._squared) if best else None
-            near = gap(self._extremes, extremes, self.move, most)
+            most = Fraction(*self._squared) if self.best else None
+            near = gap(robot, obstacle, self.move, most)
             if near is None:
                 return
             if near.squared > 0:
                 self.best = Found(index, near)
                 self._squared = near.squared.as_integer_ratio()
                 return
-        touch = first_touch(self._extremes, extremes, self.move, self._latest)
+        touch = first_touch(robot, obstacle, self.move, self._latest)
         if touch and (touch.time < self._latest or not self._touched):
             self.best = Found(index, touch)
             self._touched = True
@@ -88,7 +86,7 @@ class _Search:
             top + dy * (self.move[1] > 0),
         )
 
-    def _is_far(self, obstacle: Polygon, its_box: Box) -> bool:
+    def is_far(self, obstacle: Polygon, its_box: Box) -> bool:
         """Tell whether an obstacle certainly matters less than the best; False: perhaps not."""
         a, b, c, d = its_box
         left, bottom, right, top = self._reach_box
@@ -99,9 +97,3 @@ class _Search:
             return True
         self._seen_near += 1
         return self._seen_near > SIEVE_FROM and self._sieve.is_far(obstacle, self._squared)
-
-
-def box(polygon: Polygon) -> Box:
-    """Return (left, bottom, right, top)."""
-    xs, ys = zip(*polygon, strict=True)
-    return min(xs), min(ys), max(xs), max(ys)

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from math import ceil, floor, sqrt
+from math import sqrt
 
 import drawsvg
 
 from gen.geometry import Polygon
 from pictures.cut import cut
-from pictures.exact.extremes import Extremes
 from pictures.exact.meeting import ExactPoint
 from pictures.explain.matter import Matter
 from pictures.explain.scene import mark
@@ -83,20 +82,10 @@ def draw_inset(matter: Matter, view: View, group: drawsvg.Group, clip: drawsvg.C
 def _others(matter: Matter, view: View) -> list[list[ExactPoint]]:
     """Return what the window shows of further obstacles."""
     assert matter.moment is not None
-    left, bottom, right, top = (
-        floor(view.left),
-        floor(view.bottom),
-        ceil(view.right),
-        ceil(view.top),
-    )
-    near = [
-        i
-        for i, (a, b, c, d) in enumerate(matter.boxes)
-        if a <= right and c >= left and b <= top and d >= bottom and i != matter.moment.obstacle
-    ]
+    near = [i for i in view.seen(matter.boxes) if i != matter.moment.obstacle]
     found: list[list[ExactPoint]] = []
     for i in near[:TRIED_MAX]:
-        few = thinned(Extremes(matter.scenario.obstacles[i]), 120)
+        few = thinned(matter.bodies.obstacle(i), 120)
         seen = _cut(_exact(few), view)
         if seen:
             found.append(seen)

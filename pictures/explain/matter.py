@@ -8,9 +8,9 @@ from functools import cached_property
 
 from gen.geometry import Point, Polygon, sweep
 from gen.scenario import Box, Scenario
+from pictures.exact.bodies import Bodies, box
 from pictures.exact.extremes import Extremes
 from pictures.exact.meeting import ExactPoint
-from pictures.exact.search import box
 from pictures.explain.thin import thinned
 from pictures.moment import Approach, Contact
 
@@ -21,23 +21,32 @@ DIRECTIONS = 360  # of the corners that are drawn of a large polygon
 class Matter:
     """A scenario and what was found out about it. `notes`: what is drawn in less detail."""
 
-    scenario: Scenario
-    boxes: list[Box]
+    bodies: Bodies
     moment: Contact | Approach | None
     notes: list[str] = field(default_factory=list)
+
+    @property
+    def scenario(self) -> Scenario:
+        """What is to be explained."""
+        return self.bodies.scenario
+
+    @property
+    def boxes(self) -> list[Box]:
+        """The boxes of the obstacles."""
+        return self.bodies.boxes
 
     @cached_property
     def robot(self) -> Polygon:
         """The robot at its start, with few corners."""
-        return self._few("the robot", self.scenario.robot, self.moment.robot if self.moment else ())
+        return self._few("the robot", self.bodies.robot, self.moment.robot if self.moment else ())
 
     @cached_property
     def obstacle(self) -> Polygon:
         """The obstacle that decides, with few corners."""
         assert self.moment is not None
         index = self.moment.obstacle
-        polygon = self.scenario.obstacles[index]
-        return self._few(f"obstacle {index + 1}", polygon, self.moment.feature)
+        obstacle = self.bodies.obstacle(index)
+        return self._few(f"obstacle {index + 1}", obstacle, self.moment.feature)
 
     @cached_property
     def covered(self) -> Polygon:
@@ -72,10 +81,10 @@ class Matter:
         dx, dy = self.scenario.move
         return [(x + time * dx, y + time * dy) for x, y in self.robot]
 
-    def _few(self, name: str, polygon: Polygon, keep: tuple[Point, ...]) -> Polygon:
-        few = thinned(Extremes(polygon), DIRECTIONS, keep)
-        if len(few) < len(polygon):
-            self.notes.append(f"{name} has {len(few):,} of its {len(polygon):,} corners")
+    def _few(self, name: str, extremes: Extremes, keep: tuple[Point, ...]) -> Polygon:
+        few, every = thinned(extremes, DIRECTIONS, keep), len(extremes.polygon)
+        if len(few) < every:
+            self.notes.append(f"{name} has {len(few):,} of its {every:,} corners")
         return few
 
     def ends(self) -> tuple[ExactPoint, ExactPoint] | None:

@@ -10,8 +10,8 @@ import drawsvg
 
 from gen.scenario import Scenario
 from judge.kit.text import printable_name
+from pictures.exact.bodies import Bodies
 from pictures.exact.pause import collector_paused
-from pictures.exact.search import box
 from pictures.explain.difference import difference, difference_view, draw_difference, verdict
 from pictures.explain.inset import draw_inset, inset_view, reference
 from pictures.explain.matter import Matter
@@ -50,8 +50,8 @@ class _Picture:
     def __init__(
         self, scenario: Scenario, answer: str | None, found: str | None, title: str
     ) -> None:
-        boxes = [box(obstacle) for obstacle in scenario.obstacles]
-        self.matter = Matter(scenario, boxes, decisive(scenario, boxes))
+        bodies = Bodies(scenario)
+        self.matter = Matter(bodies, decisive(scenario, bodies))
         self.heading = printable_name(title, TITLE_CHARS)
         if answer is None:
             answer = "NO" if isinstance(self.matter.moment, Contact) else "YES"
@@ -59,7 +59,7 @@ class _Picture:
         if found is not None:
             self.answer = f"expected {answer}, found {printable_name(found, 20)}"
         some = [scenario.robot, *scenario.obstacles[:9]]
-        known = (self.heading, self.answer, scenario.move, boxes[:9], [o[:9] for o in some])
+        known = (self.heading, self.answer, scenario.move, bodies.boxes[:9], [o[:9] for o in some])
         self.scope = "p" + hashlib.sha256(repr(known).encode()).hexdigest()[:10]
         self.body = drawsvg.Group()
         self.y = 0.0

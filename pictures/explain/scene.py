@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from fractions import Fraction
 from itertools import pairwise
 from math import ceil, floor
@@ -12,7 +11,6 @@ import drawsvg
 from gen.geometry import Polygon
 from gen.scenario import Box
 from judge.kit.text import counted
-from pictures.exact.extremes import Extremes
 from pictures.explain.matter import Matter
 from pictures.explain.thin import thinned
 from pictures.explain.view import Area, Place, View, axes, clipped, frame, framing
@@ -72,14 +70,14 @@ def draw_scene(matter: Matter, view: View, group: drawsvg.Group, clip: drawsvg.C
 def _others(matter: Matter, view: View, group: drawsvg.Group) -> None:
     """Draw the obstacles that do not decide: the largest as polygons, the smallest as dots."""
     decisive = matter.moment.obstacle if matter.moment else -1
-    seen = [i for i in _in_view(matter.boxes, view) if i != decisive]
+    seen = [i for i in view.seen(matter.boxes) if i != decisive]
     beyond = len(matter.boxes) - len(seen) - (decisive >= 0)
-    sizes = {i: _pixels(matter.boxes[i], view) for i in seen}
+    sizes = dict(zip(seen, _pixels([matter.boxes[i] for i in seen], view), strict=True))
     large = sorted((i for i in seen if sizes[i] > SMALL_PX), key=lambda i: -sizes[i])
     corners, drawn, path = 0, 0, ""
     for i in large:
         directions = min(max(8, 4 * int(sizes[i] / 4)), 240)
-        polygon = thinned(Extremes(matter.scenario.obstacles[i]), directions)
+        polygon = thinned(matter.bodies.obstacle(i), directions)
         if corners + len(polygon) > CORNERS_MAX:
             break
         corners, drawn = corners + len(polygon), drawn + 1
@@ -101,23 +99,20 @@ def _others(matter: Matter, view: View, group: drawsvg.Group) -> None:
                 _number(view, group, matter.scenario.obstacles[i], i + 1, "faint", 11)
 
 
-def _in_view(boxes: list[Box], view: View) -> Iterator[int]:
-    left, bottom, right, top = view.left, view.bottom, view.right, view.top
-    for i, (a, b, c, d) in enumerate(boxes):
-        if c >= left and a <= right and d >= bottom and b <= top:
-            yield i
-
-
-def _pixels(box: Box, view: View) -> float:
-    left, bottom, right, top = box
-    return max(right - left, top - bottom) * view.scale
+def _pixels(boxes: list[Box], view: View) -> list[float]:
+    """Return the longer sides of boxes."""
+    scale = view.scale
+    return [(c - a if c - a > d - b else d - b) * scale for a, b, c, d in boxes]
 
 
 def _dots(boxes: list[Box], chosen: list[int], view: View) -> str:
     """Return small squares for obstacles, one for all in the same place."""
     x0, y0, scale, area = view.left, view.bottom, view.scale / 2, view.area
-    centres = [(boxes[i][0] + boxes[i][2], boxes[i][1] + boxes[i][3]) for i in chosen]
-    places = [(float(x - 2 * x0) * scale, float(y - 2 * y0) * scale) for x, y in centres]
+    x0, y0 = 2 * x0, 2 * y0
+    places = [
+        ((a + c - x0) * scale, (b + d - y0) * scale)
+        for a, b, c, d in map(boxes.__getitem__, chosen)
+    ]
     size = 2.0
     while True:
         cells = {(x // size, y // size) for x, y in places}

@@ -1,6 +1,7 @@
 """How the parts of a picture look: by colour, and without colour by line and fill.
 
-The colours are those of Okabe and Ito, which colour-blind people can tell apart. Each picture has
+The colours are those of Okabe and Ito, which colour-blind people can tell apart, the edges of robot
+and obstacle darker and lighter than theirs, so that they differ in grey as well. Each picture has
 a class of its own, so that several in one page do not disturb each other.
 """
 
@@ -37,7 +38,7 @@ _LOOKS = {
     ),
     "then": (
         "fill:#0072b2;fill-opacity:.38;stroke:#00507d;stroke-width:2.4",
-        "fill:#56b4e9;stroke:#9bd4f7",
+        "fill:#56b4e9;stroke:#6cbdee",
     ),
     "other": (
         "fill:#8d8d88;fill-opacity:.25;stroke:#8d8d88;stroke-width:1",
@@ -45,26 +46,26 @@ _LOOKS = {
     ),
     "dots": ("fill:#8d8d88", "fill:#9aa1a8"),
     "obstacle": (
-        "fill:#e69f00;fill-opacity:.32;stroke:#a86f00;stroke-width:2;stroke-dasharray:9 2 2 2",
-        "fill:#e69f00;stroke:#f2b632",
+        "fill:#e69f00;fill-opacity:.32;stroke:#bd7d00;stroke-width:2;stroke-dasharray:9 2 2 2",
+        "fill:#e69f00;stroke:#ffd873",
     ),
     "arrow": ("fill:none;stroke:#0072b2;stroke-width:1.6", "stroke:#56b4e9"),
     "head": ("fill:#0072b2", "fill:#56b4e9"),
-    "of-robot-head": ("fill:#0072b2", "fill:#56b4e9"),
-    "of-obstacle-head": ("fill:#a86f00", "fill:#f2b632"),
+    "of-robot-head": ("fill:#00507d", "fill:#56b4e9"),
+    "of-obstacle-head": ("fill:#bd7d00", "fill:#ffd873"),
     "gap": ("fill:none;stroke:#222;stroke-width:1.6;stroke-dasharray:2 2", "stroke:#f0f0ee"),
     "hit": ("fill:none;stroke:#d55e00;stroke-width:2.4", "stroke:#ff8a3c"),
     "hit-dot": ("fill:#d55e00", "fill:#ff8a3c"),
     "lens": ("fill:none;stroke:#222;stroke-width:1", "stroke:#f0f0ee"),
     "inner": ("fill:#8d8d88;fill-opacity:.14", "fill:#9aa1a8"),
-    "of-robot": ("fill:none;stroke:#0072b2;stroke-width:2.4", "stroke:#56b4e9"),
+    "of-robot": ("fill:none;stroke:#00507d;stroke-width:2.4", "stroke:#56b4e9"),
     "of-move": (
-        "fill:none;stroke:#0072b2;stroke-width:2.4;stroke-dasharray:1.5 3",
+        "fill:none;stroke:#00507d;stroke-width:2.4;stroke-dasharray:1.5 3",
         "stroke:#56b4e9",
     ),
     "of-obstacle": (
-        "fill:none;stroke:#a86f00;stroke-width:2.4;stroke-dasharray:9 2 2 2",
-        "stroke:#f2b632",
+        "fill:none;stroke:#bd7d00;stroke-width:2.4;stroke-dasharray:9 2 2 2",
+        "stroke:#ffd873",
     ),
 }
 

@@ -9,6 +9,7 @@ from math import ceil, floor, log10
 
 import drawsvg
 
+from gen.scenario import Box
 from pictures.cut import cut
 
 Number = int | Fraction
@@ -58,6 +59,18 @@ class View:
         ):
             places = clipped(places, area)
         return path_of(places)
+
+    def seen(self, boxes: Sequence[Box]) -> list[int]:
+        """Return the indices of the boxes that have a part in the window, or close to it."""
+        left, bottom, right, top = (
+            *(floor(self.left), floor(self.bottom)),
+            *(ceil(self.right), ceil(self.top)),
+        )
+        return [
+            i
+            for i, (a, b, c, d) in enumerate(boxes)
+            if c >= left and a <= right and d >= bottom and b <= top
+        ]
 
     def shows(self, x: Number, y: Number) -> bool:
         """Tell whether a point is in the window."""

@@ -29,8 +29,7 @@ def counterexample(
     expected = agreed(content, trial.scenarios).decode().split()
     answer, scenario = expected[trial.index], trial.scenarios[trial.index]
     picture = explain_picture(scenario, answer=answer, found=found)
-    file = keep(content)
-    write_whole(file.with_suffix(".svg"), picture.encode())
+    file = keep(content, picture, f"shrunk-{hashlib.sha256(content).hexdigest()[:12]}")
     return Counterexample(
         input=content.decode(),
         expected=answer,
@@ -46,11 +45,12 @@ def counterexample(
     )
 
 
-def keep(content: bytes) -> Path:
-    """Write an input below build/counterexamples/ and return its path.
+def keep(content: bytes, picture: str, name: str) -> Path:
+    """Write an input below build/counterexamples/, and its picture beside it; return its path.
 
-    Its checksum is its name, so that it replaces no other input.
+    name: without an ending; different inputs need different names. Raises OSError.
     """
-    path = COUNTEREXAMPLES / f"shrunk-{hashlib.sha256(content).hexdigest()[:12]}.in"
+    path = COUNTEREXAMPLES / f"{name}.in"
     write_whole(path, content, parents=True)
+    write_whole(path.with_suffix(".svg"), picture.encode())
     return path

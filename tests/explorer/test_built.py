@@ -98,6 +98,7 @@ def test_a_gallery_is_held_in_the_order_of_its_lessons(directory):
     assert held["scenes"][-1]["input"] == second.input
 
 
+@pytest.mark.slow  # a scene of the shipped page opens by its link in a fast test
 def test_gallery_scenes_open_by_name_in_the_browser(browser, directory, tmp_path):
     file = tmp_path / "explorer.html"
     file.write_text(built(directory))

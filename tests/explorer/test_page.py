@@ -128,6 +128,7 @@ def test_an_obstacle_and_its_corner_are_dragged(opened):
     assert scene(page).obstacles == [[(9, 7), (13, 7), (13, 9)]]
 
 
+@pytest.mark.slow  # other drags are fast tests
 def test_a_corner_stays_where_the_polygon_is_convex(opened):
     page = opened(link(HIT))
     for by in ((9, 3), (2, 9), (-3, -3), (0, 5), (-9, 7), (3, -8)):
@@ -505,6 +506,8 @@ def test_scenes_as_wide_as_the_world_and_a_unit_apart(opened):
         render([Scenario(robot, (0, 0), [obstacle])]).decode(),
     )
     assert answer(page) == expected == "YES"
+    page.keyboard.press("0")
+    settle(page)
     labels = page.locator("#scene text.number").all_text_contents()
     assert 4 < len(labels) < 40
     assert "100\u202f000\u202f000" in labels
@@ -526,6 +529,51 @@ def test_scenes_as_wide_as_the_world_and_a_unit_apart(opened):
     page.locator(".zoom[data-board=scene] [data-zoom=fit]").click()
     settle(page)
     assert page.locator("#scene text.number").all_text_contents() == labels
+
+
+def test_it_opens_on_the_place_that_decides_where_nothing_is_seen_of_it_in_the_whole_scene(opened):
+    far = 10**8
+    corner = [(-far, -far), (1 - far, -far), (1 - far, 1 - far)]
+    thin = Scenario(corner, (2 * far - 2, 2 * far - 1), [[(0, 0), (1, -1), (1, 0)]])
+    page = opened(link(thin))
+    assert answer(page) == "NO"
+    notes = page.locator(".part")
+    assert notes.evaluate_all("notes => notes.map((note) => note.hidden)") == [False, False]
+    for board in ("scene", "difference"):
+        labels = page.locator(f"#{board} text.number").all_text_contents()
+        assert {"−1", "0", "1"} <= set(labels), board
+    for whole, near in (("press 0", "press 1"), ("note", "button"), ("button", "press 1")):
+        show(page, whole, "fit")
+        assert notes.evaluate_all("notes => notes.every((note) => note.hidden)"), whole
+        assert "1" not in page.locator("#scene text.number").all_text_contents()
+        show(page, near, "near")
+        assert notes.evaluate_all("notes => notes.every((note) => !note.hidden)"), near
+        assert "1" in page.locator("#scene text.number").all_text_contents()
+    page.locator("#input summary").click()
+    page.locator("#text").press("0")
+    settle(page)
+    assert "1" in page.locator("#scene text.number").all_text_contents()
+
+
+def show(page, how, what):
+    """Show all or the place that decides, on both boards: by a key, the notes, or the buttons."""
+    if how.startswith("press"):
+        page.keyboard.press(how[-1])
+    else:
+        for button in page.locator(".part" if how == "note" else f"[data-zoom={what}]").all():
+            button.click()
+    settle(page)
+
+
+@pytest.mark.parametrize("size", [1, 10**6])
+def test_a_scene_that_can_be_seen_opens_whole(opened, size):
+    robot, *obstacles = (
+        [(x * size, y * size) for x, y in polygon] for polygon in (HIT.robot, *HIT.obstacles)
+    )
+    page = opened(link(Scenario(robot, (10 * size, 0), obstacles)))
+    assert answer(page) == "NO"
+    hidden = page.locator(".part").evaluate_all("notes => notes.map((note) => note.hidden)")
+    assert hidden == [True, True]
 
 
 def test_dragging_at_the_limit_stays_within_it(opened):
@@ -562,6 +610,7 @@ def test_a_finger_drags_on_a_phone_and_nothing_is_cut_off(opened):
     assert page.evaluate("window.scrollY") == 0
 
 
+@pytest.mark.slow  # a finger drags in a fast test
 def test_two_fingers_zoom(opened):
     page = opened(link(HIT), phone=True)
     before = unit_px(page)

@@ -8,9 +8,11 @@ import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from judge.kit.paths import ROOT
+from judge.problem.declaration import Feedback, load
 from judge.sandbox.facts import Facts, RunLimits
 from judge.sandbox.keeper.cgroup import Cgroups
 from judge.sandbox.probe import NoWallError
@@ -20,6 +22,11 @@ from judge.sandbox.wall import Wall
 
 Checker = Callable[..., subprocess.CompletedProcess[str]]
 RunPython = Callable[..., Facts]
+
+# Without a diagnosis, which runs a program that is not accepted some hundred times more.
+QUIET = msgspec.structs.replace(load(), feedback=Feedback(tell="verdict", name_secret_cases=True))
+# Wrong, but in step with the gallery, so that its diagnosis takes few runs.
+WRONG = "first = input()\nprint('YES\\n' * int(first) if first.isdigit() else 'YES')\n"
 
 
 def write_case(directory: Path, name: str, text: str, answer: str) -> None:

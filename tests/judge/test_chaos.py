@@ -24,10 +24,15 @@ LONGEST_MOMENT_S = 1.2  # by then, the judging of these cases is over or nearly 
 ECHO = "import sys, time\ntime.sleep(0.1)\nsys.stdout.write(sys.stdin.read())\n"
 
 _random = random.Random(3)
+FAST_ROUNDS = 2  # of each victim; the others are slow ones
 ROUNDS = [
-    (victim, round(_random.random() * LONGEST_MOMENT_S, 3))
+    pytest.param(
+        victim,
+        round(_random.random() * LONGEST_MOMENT_S, 3),
+        marks=[pytest.mark.slow] if number >= FAST_ROUNDS else [],
+    )
     for victim in ("keeper", "wall", "first process", "checker")
-    for _ in range(5)
+    for number in range(5)
 ]
 
 

@@ -18,7 +18,12 @@ import pytest
 
 from judge.kit.paths import ROOT
 
+from .conftest import WRONG
+
 ECHO = "import sys\nsys.stdout.write(sys.stdin.read())\n"
+# Wrong in the longest case; in step with the gallery.
+CUT = "s = open(0).read()\nt = int(s.split()[0]) if s[0].isdigit() else 1\n"
+CUT += "print(s if len(s) < 9 else '\\n'.join(['NO'] * t))\n"
 ECHO_CPP = "#include <iostream>\nint main() { std::cout << std::cin.rdbuf(); }\n"
 Source = Callable[[str, str], Path]
 Checker = Callable[..., "subprocess.CompletedProcess[str]"]
@@ -42,7 +47,9 @@ def test_accepted(checker: Checker, source: Source, data: Path) -> None:
     assert "\x1b" not in done.stdout
 
 
-@pytest.mark.parametrize("arguments", [(), ("-",), ("--language", "cpp")])
+@pytest.mark.parametrize(
+    "arguments", [(), pytest.param(("-",), marks=pytest.mark.slow), ("--language", "cpp")]
+)
 def test_source_from_standard_input(
     checker: Checker, data: Path, arguments: tuple[str, ...]
 ) -> None:
@@ -54,7 +61,7 @@ def test_source_from_standard_input(
 
 
 def test_wrong_answer_says_where(checker: Checker, source: Source, data: Path) -> None:
-    done = checker(source("w.py", "print('YES')\n"), "--data", data)
+    done = checker(source("w.py", WRONG), "--data", data)
     assert done.returncode == 1
     assert (
         "first failure: WA on secret/static/01: scenario 1: expected NO, found YES" in done.stdout
@@ -71,11 +78,10 @@ def test_a_fake_verdict_stays_output(checker: Checker, source: Source, data: Pat
 
 def test_json(checker: Checker, source: Source, data: Path, tmp_path: Path) -> None:
     report = tmp_path / "report.json"
-    code = "s = open(0).read()\nprint(s if len(s) < 9 else 'NO')\n"
-    done = checker(source("w.py", code), "--data", data, "--json", report, "--stop-on-first")
+    done = checker(source("w.py", CUT), "--data", data, "--json", report, "--stop-on-first")
     assert done.returncode == 1
     table = json.loads(report.read_text())
-    assert table["schema_version"] == 3
+    assert table["schema_version"] == 4
     assert (table["verdict"], table["score"], table["max_score"]) == ("WA", 15, 100)
     assert table["groups"][2] == {"name": "small", "verdict": "WA", "score": 0, "max_score": 15}
     case = table["cases"][3]
@@ -91,10 +97,9 @@ def test_json(checker: Checker, source: Source, data: Path, tmp_path: Path) -> N
 def test_junit_says_what_json_says(
     checker: Checker, source: Source, data: Path, tmp_path: Path
 ) -> None:
-    code = "s = open(0).read()\nprint(s if len(s) < 9 else 'NO')\n"
     paths = (tmp_path / "report.json", tmp_path / "report.xml")
     options = ("--data", data, "--stop-on-first", "--json", paths[0], "--junit", paths[1])
-    assert checker(source("w.py", code), *options).returncode == 1
+    assert checker(source("w.py", CUT), *options).returncode == 1
     table, root = json.loads(paths[0].read_text()), ET.parse(paths[1]).getroot()
     tests = {test.get("name"): test for test in root.iter("testcase")}
     for case in table["cases"]:

@@ -27,7 +27,10 @@ def shell(line: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(n, marks=[pytest.mark.slow] if n == "strength" else []) for n in COMMANDS],
+)
 @pytest.mark.parametrize(
     ("to", "message"),
     [

@@ -15,7 +15,7 @@ from rich.text import Text
 
 from judge.cli import main
 from judge.compare import Mismatch
-from judge.explanation import Counterexample, Diagnosis, Like, MissedLesson
+from judge.explanation import Counterexample, Diagnosis, FailedScene, Like, MissedLesson
 from judge.judging import Search
 from judge.kit.paths import DATA
 from judge.problem.cases import Case, case_at
@@ -23,6 +23,8 @@ from judge.problem.verdict import Verdict
 from judge.reports.explained import print_explained
 from judge.reports.terminal import print_report
 from judge.results import CaseResult, GroupResult, Judging
+
+from .conftest import WRONG
 
 LESSONS = tuple(
     MissedLesson(f"lesson-{n}", f"Sentence number {n}.", (f"scene-{n}", f"other-{n}"))
@@ -46,6 +48,13 @@ EXAMPLE = Counterexample(
     seconds=1.25,
     steps=("seed 7 repeats this search",),
 )
+SCENE = FailedScene(
+    *("scene-4", EXAMPLE.input, "NO", "no answer"),
+    sentence="The edge (7, 8)–(9, 9) is touched.",
+    picture="<svg>scene</svg>",
+    file=Path("/kept/scene-4.in"),
+)
+ILLUSTRATED = replace(DIAGNOSIS, lessons=(*LESSONS[:3], replace(LESSONS[3], scene=SCENE)))
 SMALL = "1\n3 0\n0 0\n0 0\n1 0\n0 1\n"
 Source = Callable[[str, str], Path]
 
@@ -116,6 +125,23 @@ def test_the_most_telling_lessons_and_all_on_request(case: Case) -> None:
     assert "gallery" not in quiet
 
 
+def test_the_scene_of_a_lesson_only_on_request(case: Case) -> None:
+    judging = replace(failed(case), diagnosis=ILLUSTRATED)
+    assert SCENE.input not in said(judging)
+    text = said(judging, explain=True)
+    assert (
+        f"     scene-4:\n{SCENE.input}     expected NO, found no answer\n     {SCENE.sentence}\n"
+        "     picture /kept/scene-4.svg\n"
+    ) in text
+    assert "#gallery=scene-4\n" in text
+    assert "/kept/scene-4.in" not in text
+    long = replace(SCENE, input=SCENE.input + "9 9\n" * 9)
+    lessons = (replace(LESSONS[0], scene=long),)
+    text = said(replace(judging, diagnosis=replace(DIAGNOSIS, lessons=lessons)), explain=True)
+    assert "9 9\n9 9" not in text
+    assert "     input /kept/scene-4.in\n" in text
+
+
 def test_a_counterexample(case: Case, tmp_path: Path) -> None:
     kept = tmp_path / "kept.in"
     text = said(replace(failed(case), counterexample=replace(EXAMPLE, file=kept)))
@@ -171,7 +197,7 @@ def test_the_command_that_draws_works_in_any_directory_and_shell(
     source: Source, checker: Callable[..., subprocess.CompletedProcess[str]], tmp_path: Path
 ) -> None:
     """Printed in one directory; run in another, without the environment of the first."""
-    done = checker(source("yes.py", "print('YES\\n' * 9)\n"), "--case", "sample/03*")
+    done = checker(source("yes.py", WRONG), "--case", "sample/03*")
     command = re.search(r"^  see it (.*)$", done.stdout, re.MULTILINE)
     assert command is not None, done.stdout
     assert str(DATA / "sample/03-touch.in") in command[1]
@@ -198,7 +224,7 @@ def test_a_search_is_offered_and_its_result_told(
         return lambda _failure: EXAMPLE
 
     report, page = data.parent / "report.json", data.parent / "report.html"
-    command = [str(source("yes.py", "print('YES')\n")), "--data", str(data), "--no-wall"]
+    command = [str(source("yes.py", WRONG)), "--data", str(data), "--no-wall"]
     assert main(command, make_search) == 1
     offered = capsys.readouterr().out
     assert "--explain looks for a smallest input" in offered

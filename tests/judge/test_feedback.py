@@ -21,7 +21,7 @@ from judge.reports.schema import to_json
 from judge.reports.terminal import live, print_report
 from judge.results import CaseResult, GroupResult, Judging
 
-from .test_explained import DIAGNOSIS, EXAMPLE
+from .test_explained import EXAMPLE, ILLUSTRATED, SCENE
 
 Tell = Literal["verdict", "lessons", "counterexample"]
 MISMATCH = Mismatch(77, 88, 99, "NO", "maybe")
@@ -50,7 +50,7 @@ JUDGING = Judging(
         GroupResult("small", Verdict.WA, 0, 15, True, RESULTS[1:3]),
         GroupResult("many", Verdict.RTE, 0, 20, True, RESULTS[3:]),
     ),
-    diagnosis=DIAGNOSIS,
+    diagnosis=ILLUSTRATED,
     counterexample=EXAMPLE,
     unexplained="search without success",
 )
@@ -92,13 +92,14 @@ def test_everything_is_told_as_shipped(name: str) -> None:
         assert "Sentence number 4." in text
         assert "takes touching for free" in text
         assert EXAMPLE.sentence.partition("'")[2] in text.replace("&#39;", "'")
+        assert (SCENE.sentence in text) is (name != "json")
 
 
 @pytest.mark.parametrize("name", REPORTS)
 @pytest.mark.parametrize("named", [True, False])
 def test_only_the_verdict(name: str, named: bool) -> None:
     text = reports(Feedback("verdict", name_secret_cases=named))[name]
-    for words in ("Sentence number", "touching for free", "corner (1, 0)", "its words"):
+    for words in ("Sentence number", "touching for free", "corner (1, 0)", "its words", "(7, 8)"):
         assert words not in text
     assert not any(str(number) in text for number in (77, 88, 99))
     assert (called(name, "secret/small/beta") in text) is named
@@ -109,6 +110,8 @@ def test_only_the_verdict(name: str, named: bool) -> None:
 def test_lessons_without_a_counterexample(name: str) -> None:
     text = reports(Feedback("lessons", name_secret_cases=True))[name]
     assert "corner (1, 0)" not in text
+    assert "(7, 8)" not in text
+    assert "scene.svg" not in text
     assert "search without success" not in text
     assert "scenario 77" in text
     assert ("Sentence number 1." in text) is (name != "junit")

@@ -35,7 +35,20 @@ from judge.sandbox.wall import Wall
 
 HERE = Path(__file__).parent / "hostile"
 PROGRAMS = sorted(path for path in HERE.rglob("*.*") if by_suffix(path))
-SLOW = {"drips.py", "stops_itself.py"}  # they wait as long as sleeps.py, which stays
+SLOW = {  # for each there is one of the same kind that stays
+    *("drips.py", "stops_itself.py"),  # sleeps.py
+    *("memory_in_many_tables.c", "memory_in_sparse_tables.c"),  # memory_in_tables.c
+    *("memory_lent.c", "memory_in_tmpfs.py"),  # memory_shared.c, memory_in_memfd.py
+    *("fills_the_inodes.py", "floods_stdout.c"),  # fills_the_disk.py, floods_stderr.c
+    *("forks_slowly.py", "template_bomb.cpp"),  # forks_fast.c, macro_bomb.c
+    *("burns_unreadable.c", "leaves_zombies.py"),  # burns_in_unseen_children.py, leaves_daemons.py
+    *("right_then_flood.py", "right_then_status.py"),  # floods_stderr.c, right_then_crash.c
+    *("escapes.py", "status_139.py"),  # escapes_in_output.py, kills_itself.py
+    *("looks_for_earlier_runs.py", "sparse_file.py"),  # looks_for_answers.py, fills_the_disk.py
+    *("memory_in_sockets.c", "memory_of_one.c"),  # memory_in_pipes.c, memory_of_many.c
+    *("includes_accounts.c", "escapes_in_source.py3"),  # includes_input.c, error_flood.c
+    *("aborts.c", "forks_relay.c"),  # stack_overflow.c, forks_fast.c
+}
 SECONDS_AT_MOST = 30  # elapsed, for one program on a busy machine
 PR_SET_CHILD_SUBREAPER = 36
 

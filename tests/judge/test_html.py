@@ -17,7 +17,8 @@ from judge.problem.verdict import Verdict
 from judge.reports.html import MEANING, to_html
 from judge.results import CaseResult, GroupResult, Judging, Scale, not_run
 
-from .test_explained import DIAGNOSIS, EXAMPLE, failed
+from .conftest import WRONG
+from .test_explained import DIAGNOSIS, EXAMPLE, ILLUSTRATED, SCENE, failed
 from .test_feedback import FIRST, SECOND, THIRD
 
 NAMES = ["<b>", "&amp;<b>", '"><script>x</script>', "{{ 7 * 7 }}", "\u202eyp", "\x1b[2J", "' x='"]
@@ -90,6 +91,26 @@ def test_it_tells_everything() -> None:
     assert base64.b64decode(content).decode() == drawn.picture
 
 
+def test_the_scenes_of_lessons_have_their_pictures() -> None:
+    """The first is open where no counterexample says more."""
+    told = replace(failed(FIRST), diagnosis=ILLUSTRATED, counterexample=EXAMPLE)
+    read = Reader(to_html(told).decode())
+    (picture,) = (attributes["src"] for tag, attributes in read.tags if tag == "img")
+    assert picture is not None
+    assert base64.b64decode(picture.partition(",")[2]).decode() == SCENE.picture
+    assert "scene-4: expected NO, found no answer" in "".join(read.texts)
+    assert SCENE.sentence in "".join(read.texts)
+    first = replace(ILLUSTRATED, lessons=ILLUSTRATED.lessons[::-1])
+    for lessons, example, is_open in (
+        (ILLUSTRATED, None, False),
+        (first, EXAMPLE, False),
+        (first, None, True),
+    ):
+        page = to_html(replace(told, diagnosis=lessons, counterexample=example)).decode()
+        (details,) = (given for tag, given in Reader(page).tags if tag == "details")
+        assert ("open" in details) is is_open
+
+
 def test_it_tells_why_there_is_no_counterexample() -> None:
     page = to_html(replace(failed(FIRST), unexplained="nothing <smaller> fails")).decode()
     assert "nothing &lt;smaller&gt; fails" in page
@@ -156,7 +177,7 @@ def test_every_verdict_has_its_words(verdict: Verdict) -> None:
 def test_from_the_command_line(
     checker: Callable[..., CompletedProcess[str]], source: Source, data: Path, tmp_path: Path
 ) -> None:
-    path = source("w.py", "print('YES')\n")
+    path = source("w.py", WRONG)
     done = checker(path, "--data", data, "--html", tmp_path / "report.html")
     assert done.returncode == 1
     Reader((tmp_path / "report.html").read_text())

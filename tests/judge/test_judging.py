@@ -15,7 +15,6 @@ from judge.judging import Events, Options, judge
 from judge.languages.submission import Program, Submission, read_submission
 from judge.languages.table import by_name
 from judge.problem.cases import Case
-from judge.problem.declaration import load
 from judge.problem.order import save_order
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging, Scale
@@ -24,7 +23,8 @@ from judge.sandbox.facts import RunLimits
 from judge.sandbox.keeper.cgroup import Cgroups
 from judge.sandbox.sandbox import Command, Sandbox
 
-PROBLEM = load()
+from .conftest import QUIET
+
 LIMITS = RunLimits(time_limit_s=5.0, memory_mib=100, output_mib=1)
 NOBODY = Submission("nobody's", by_name("python"), b"")
 ECHO = "import sys\nsys.stdout.write(sys.stdin.read())\n"
@@ -36,7 +36,7 @@ def judged(path: Path, data: Path, **options: Any) -> Judging:
     events = options.pop("events", None)
     # The tests' own programs are trusted, even where no wall works.
     settings = Options(data=data, no_wall=True, **({"time_limit_s": 5.0} | options))
-    return judge(read_submission(path), PROBLEM, settings, executor=executor, events=events)
+    return judge(read_submission(path), QUIET, settings, executor=executor, events=events)
 
 
 def test_points_and_order(source: Source, data: Path) -> None:
@@ -117,10 +117,11 @@ def test_a_compile_error_is_a_verdict(source: Source, data: Path) -> None:
 
 
 def test_a_source_over_the_limit_is_a_compile_error(source: Source, data: Path) -> None:
-    text = ECHO + "#" * (PROBLEM.limits.code_kib << 10)
+    text = ECHO + "#" * (QUIET.limits.code_kib << 10)
     assert "limit 256 KiB" in judged(source("long.py", text), data).message
 
 
+@pytest.mark.slow  # the Java compiler; its other fast test has a package
 def test_a_java_class_may_have_any_name(source: Source, data: Path) -> None:
     if shutil.which("javac") is None:
         pytest.skip("javac is not installed")
@@ -143,7 +144,7 @@ def test_the_declared_limit_is_scaled_and_a_given_one_is_not(
     monkeypatch.setattr("judge.judging.kept_scale", lambda _problem: Scale(1.5, "kept"))
     scaled = judged(path, data, time_limit_s=None)
     assert (scaled.time_limit_s, scaled.scale) == (
-        1.5 * PROBLEM.limits.time_limit_s,
+        1.5 * QUIET.limits.time_limit_s,
         Scale(1.5, "kept"),
     )
     asked = judged(path, data, time_limit_s=2.5)

@@ -19,12 +19,12 @@ import pytest
 from judge.judging import Events, Options, judge
 from judge.languages.submission import compile_submission, read_submission
 from judge.pool import Job, Ready, prepare, run_task
-from judge.problem.declaration import load
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging, Scale
 from judge.sandbox.facts import RunLimits
 
-PROBLEM = load()
+from .conftest import QUIET
+
 ECHO = "import sys\nsys.stdout.write(sys.stdin.read())\n"
 Source = Callable[[str, str], Path]
 
@@ -49,7 +49,7 @@ def processes(scratch: Path) -> Iterator[ProcessPoolExecutor]:
 def judged(path: Path, data: Path, executor: Executor | None = None, **events: Any) -> Judging:
     options = Options(data=data, no_wall=True, time_limit_s=5.0, jobs=2)
     submission = read_submission(path)
-    return judge(submission, PROBLEM, options, executor=executor, events=Events(**events))
+    return judge(submission, QUIET, options, executor=executor, events=Events(**events))
 
 
 def told(judging: Judging) -> Judging:
@@ -109,7 +109,7 @@ def test_a_worker_killed_in_the_middle_changes_nothing(
 
 
 def test_a_job_and_what_a_worker_returns_can_be_pickled(source: Source, data: Path) -> None:
-    job = Job(read_submission(source("echo.py", ECHO)), PROBLEM, without_wall=True)
+    job = Job(read_submission(source("echo.py", ECHO)), QUIET, without_wall=True)
     copy = pickle.loads(pickle.dumps(job))
     assert copy == job
     broken = replace(job, submission=read_submission(source("b.py", "(")), key="broken")
@@ -162,14 +162,14 @@ def test_the_machine_is_measured_once_a_verdict_depends_on_it(
     executor = Slow(scale)
     submission = read_submission(source("echo.py", ECHO))
     options = Options(data=data, jobs=1, stop_on_first=False)
-    outcome = judge(submission, PROBLEM, options, executor=executor)
+    outcome = judge(submission, QUIET, options, executor=executor)
     assert outcome.verdict is verdict
     assert outcome.scale == scale
     assert executor.measured == 1
     assert executor.limits_s == limits_s
     assert outcome.time_limit_s == limits_s[-1]
     assert [r.first_verdict for r in outcome.changed] == [Verdict.TLE] * (verdict is Verdict.AC)
-    asked = judge(submission, PROBLEM, Options(data=data, time_limit_s=4.0), executor=Slow(scale))
+    asked = judge(submission, QUIET, Options(data=data, time_limit_s=4.0), executor=Slow(scale))
     assert (asked.verdict, asked.time_limit_s, asked.scale) == (Verdict.TLE, 4.0, None)
 
 
@@ -193,7 +193,7 @@ def test_a_verdict_under_another_limit_is_not_kept(
     kept: list[object] = []
     monkeypatch.setattr("judge.judging.KeptVerdicts.keep", lambda _self, found: kept.append(found))
     submission = read_submission(source("echo.py", ECHO))
-    judge(submission, PROBLEM, Options(data=data, no_wall=True, time_limit_s=9.0))
+    judge(submission, QUIET, Options(data=data, no_wall=True, time_limit_s=9.0))
     assert kept == []
-    judge(submission, PROBLEM, Options(data=data, no_wall=True))
+    judge(submission, QUIET, Options(data=data, no_wall=True))
     assert len(kept) == 1

@@ -37,6 +37,8 @@ if TYPE_CHECKING:
     from tests.judge.conftest import RunPython
 
 PROBLEM = load()
+PLACES = ("/usr/src", "/usr/local", "/opt", "/srv", "~", "/tmp")  # where kits are found
+FAST_PLACES = ("/usr/local", "~")  # the other places are slow tests
 
 LIBC = "import ctypes, os, resource, socket\nlibc = ctypes.CDLL(None, use_errno=True)\n"
 # Each prints what it gained; an exception or an empty line means that it gained nothing.
@@ -301,7 +303,9 @@ def test_the_packaged_bwrap_works_below_a_closed_directory(
         assert found.wall == copy
 
 
-@pytest.fixture(params=["/usr/src", "/usr/local", "/opt", "/srv", "~", "/tmp"])
+@pytest.fixture(
+    params=[pytest.param(p, marks=[] if p in FAST_PLACES else [pytest.mark.slow]) for p in PLACES]
+)
 def elsewhere(request: pytest.FixtureRequest) -> Iterator[Path]:
     """A copy of the kit with some of its data, in a place where kits are found."""
     kit = Path(request.param).expanduser() / f"collision-course-test-{os.getpid()}"

@@ -12,6 +12,7 @@ from gen.scenario import LIMIT, Scenario
 from judge.kit.paths import DATA
 from pictures.exact.extremes import Extremes
 from pictures.explain import explain_picture, view
+from pictures.explain.style import css
 from pictures.explain.thin import KEPT_AROUND, thinned
 from pictures.explain.view import Area, View, framing
 from pictures.read import read_scenarios
@@ -128,6 +129,38 @@ def test_pictures_in_one_page_do_not_disturb_each_other():
         scope = ElementTree.fromstring(svg).get("class")
         rules = re.findall(r"^(\S+) ", svg.split("<style>")[1].split("</style>")[0], re.MULTILINE)
         assert {rule.removeprefix("/*<![CDATA[*/") for rule in rules} == {f".{scope}", "@media"}
+
+
+def lightness(colour):
+    """Return L* of CIELAB, 0 to 100, of a colour such as #0072b2."""
+    digits = colour.removeprefix("#")
+    parts = [c * 2 for c in digits] if len(digits) == 3 else re.findall("..", digits)
+    shares = [int(part, 16) / 255 for part in parts]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in shares]
+    y = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    return 116 * y ** (1 / 3) - 16 if y > 0.008856 else 903.3 * y
+
+
+@pytest.mark.parametrize("is_dark", [False, True])
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [("of-robot", "of-obstacle"), ("of-move", "of-obstacle"), ("then", "obstacle")],
+)
+def test_robot_and_obstacle_differ_without_colour(one, other, is_dark):
+    """In lightness, from each other and from the page, and in their lines."""
+    light, dark = css("x").split("@media")
+
+    def found(look, what, text=dark if is_dark else light):
+        return re.search(rf"\.x \.{look}{{[^}}]*\b{what}:([^;}}]+)", text)[1]
+
+    shades = [lightness(found(look, "stroke")) for look in (one, other)]
+    page = lightness(found("plot", "fill"))
+    assert abs(shades[0] - shades[1]) >= 12
+    assert all(abs(shade - page) >= 35 for shade in shades)
+    dashes = [
+        re.search(rf"\.x \.{look}{{[^}}]*dasharray:([^;}}]+)", light) for look in (one, other)
+    ]
+    assert len({dash and dash[1] for dash in dashes}) == 2
 
 
 def test_crowds_and_large_polygons_stay_within_the_budget():

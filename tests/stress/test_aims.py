@@ -39,6 +39,7 @@ def test_the_table_names_every_wrong_submission():
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("compiled_once")
 @pytest.mark.parametrize("name", wrong_submissions(load()))
 def test_the_counterexample_is_as_small_as_the_bug_permits(name, tmp_path, monkeypatch):
     monkeypatch.setattr(result, "COUNTEREXAMPLES", tmp_path)

@@ -10,6 +10,7 @@ from stress.compare import compare
 from stress.programs import CPP, PYTHON, ready
 from stress.worlds import box_world
 
+pytestmark = pytest.mark.xdist_group("complete")  # so that the programs are compiled once
 SMALLEST = box_world(*COMPLETE[0])
 
 

@@ -6,9 +6,11 @@ import sys
 import pytest
 
 from gen.scenario import Scenario, render
+from judge.explanation import Diagnosis, FailedScene, MissedLesson
 from judge.kit.paths import ROOT, SUBMISSIONS
 from judge.kit.trusted import run_trusted
 from stress import cli
+from stress.illustrate import illustrated
 from stress.search import result
 from stress.search.add import AddError, add_to_data, fitting_group
 
@@ -40,6 +42,30 @@ def test_the_command_prints_what_it_finds_and_exits_with_1(tmp_path, capsys):
     assert kept.read_text() in printed
     assert "expected NO, found YES" in printed
     assert "seed 7" in printed
+
+
+def test_the_scene_of_a_lesson_is_drawn_and_kept(tmp_path):
+    content = render([Scenario(TRIANGLE, (0, 0), [TRIANGLE])]).decode()
+    scene = FailedScene("touch-1", content, "NO", "no answer")
+    lessons = (MissedLesson("a", "A.", ("touch-1",), scene), MissedLesson("b", "B.", ()))
+    told = illustrated(Diagnosis(lessons, None, "", 9, 1))
+    assert told.lessons[1] == lessons[1]
+    drawn = told.lessons[0].scene
+    assert drawn.sentence.startswith("The robot stands inside obstacle 1")
+    assert drawn.file == tmp_path / "kept" / "scene-touch-1.in"
+    assert drawn.file.read_text() == content
+    assert drawn.file.with_suffix(".svg").read_text() == drawn.picture
+    assert "expected NO, found no answer" in drawn.picture
+    assert "gallery scene touch-1" in drawn.picture
+
+
+def test_a_scene_that_cannot_be_kept_is_shown_all_the_same(tmp_path):
+    (tmp_path / "kept").write_text("no directory")
+    content = render([Scenario(TRIANGLE, (0, 0), [])]).decode()
+    lesson = MissedLesson("a", "A.", ("s",), FailedScene("s", content, "YES", "NO"))
+    (told,) = illustrated(Diagnosis((lesson,), None, "", 9, 1)).lessons
+    assert told.scene.file is None
+    assert told.scene.sentence.startswith("There are no obstacles")
 
 
 def test_the_command_tells_how_much_a_right_program_answered(tmp_path, capsys):

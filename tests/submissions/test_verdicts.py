@@ -4,8 +4,8 @@ A group ends at its first failure, which decides its verdict. Groups whose files
 committed are left out until `make data` has built them.
 
 To judge all submissions on all groups takes minutes: that is `slow`. The fast tests judge the
-Python submissions and one compiled one on the committed groups. Of a group where AC is
-expected, they judge only the first cases.
+accepted Python submissions, every fourth other one and one compiled one on the committed groups.
+Of a group where AC is expected, they judge only the first cases.
 """
 
 import msgspec
@@ -27,6 +27,7 @@ BUILT = {case.group for case in find_cases(DATA, PROBLEM)}
 COMMITTED = [name for name in GROUPS if name in ("sample", "static", "small")]
 REBUILT = [name for name in GROUPS if name not in COMMITTED]
 PYTHON = [name for name in PROBLEM.submissions if name.endswith(".py")]
+SOME = [*(n for n in PYTHON if n.startswith("accepted/")), *PYTHON[::4]]
 COMPILED = "accepted/textbook.cpp"  # one stands for all: compiling is tested elsewhere
 
 
@@ -65,7 +66,7 @@ def decided(name):
     return COMMITTED + one
 
 
-@pytest.mark.parametrize("name", [*PYTHON, COMPILED])
+@pytest.mark.parametrize("name", sorted({*SOME, COMPILED}))
 def test_verdicts_on_committed_cases(name):
     passes = passed(name, COMMITTED)
     fails = [group for group in COMMITTED if group not in passes]
@@ -76,6 +77,7 @@ def test_verdicts_on_committed_cases(name):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("compiled_once")
 @pytest.mark.parametrize("name", PROBLEM.submissions)
 def test_verdicts(name):
     groups = [group for group in decided(name) if group in BUILT]

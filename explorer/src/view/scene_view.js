@@ -1,6 +1,6 @@
 // The scene: what stands where, the move, the first contact or a separating line, and handles.
 
-import { boxOf, plus, translated } from "../exact/geometry.js";
+import { boxOf, cross, plus, translated } from "../exact/geometry.js";
 import { toNumber } from "../exact/contact.js";
 import { polygonOf } from "../exact/model.js";
 import { contactPoint, pointText } from "../exact/reason.js";
@@ -18,15 +18,21 @@ export function sceneBox({ robot, move, obstacles }) {
   return boxOf([...robot, ...translated(robot, move), ...obstacles.flat()]);
 }
 
+/** How far both polygons of a difference are apart, or else overlap; rounded, only to be shown. */
+export function marginOf({ steps }) {
+  const apart = ({ edge, at }) => Number(cross(edge, at)) / Math.hypot(...edge);
+  return Math.abs(steps.reduce((widest, step) => Math.max(widest, apart(step)), -Infinity));
+}
+
 /** Where they come nearest: [the first contact's point, its room], or of the gap; else null. */
 export function nearPlace({ scene, verdict, line, sum }) {
+  if (!sum) return null;
+  const room = Math.max(NEAR_UNITS, 3 * marginOf(sum));
   if (verdict.first) {
     const point = contactPoint(scene, verdict.first);
-    return point && [point, NEAR_UNITS];
+    return point && [point, room];
   }
-  if (!line) return null;
-  const gap = Number(line.gap) / Math.hypot(...line.along);
-  return [sum.steps[line.step].takesA ? line.inB : line.inA, Math.max(NEAR_UNITS, 3 * gap)];
+  return line && [sum.steps[line.step].takesA ? line.inB : line.inA, room];
 }
 
 /** The middle of the robot's vertices: the arrow of the move begins there. */

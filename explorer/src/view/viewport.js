@@ -32,22 +32,34 @@ export class Viewport {
     ];
   }
 
-  fit([left, bottom, right, top]) {
+  fit(box) {
+    const [left, bottom, right, top] = box;
     this.x = (left + right) / 2;
     this.y = (bottom + top) / 2;
+    this.scale = this.scaleFor(box);
+  }
+
+  /** The scale at which a box fits on the board, with a margin. */
+  scaleFor([left, bottom, right, top]) {
     const room = 1 - 2 * FIT_MARGIN;
     const wide = (this.width * room) / Math.max(right - left, 1);
     const high = (this.height * room) / Math.max(top - bottom, 1);
-    this.scale = bounded(Math.min(wide, high));
+    return bounded(Math.min(wide, high));
+  }
+
+  /** Whether a box is all on the board. */
+  holds([left, bottom, right, top]) {
+    const [west, south] = this.toScreen([left, bottom]);
+    const [east, north] = this.toScreen([right, top]);
+    return west >= 0 && north >= 0 && east <= this.width && south <= this.height;
   }
 
   /** Whether a box is all on the board and fills enough of it. */
-  isGoodFor([left, bottom, right, top]) {
-    const [west, south] = this.toScreen([left, bottom]);
-    const [east, north] = this.toScreen([right, top]);
-    const inside = west >= 0 && north >= 0 && east <= this.width && south <= this.height;
-    const full = Math.max((east - west) / this.width, (south - north) / this.height);
-    return inside && full >= FULLNESS_MIN;
+  isGoodFor(box) {
+    const [left, bottom, right, top] = box;
+    const wide = ((right - left) * this.scale) / this.width;
+    const high = ((top - bottom) * this.scale) / this.height;
+    return this.holds(box) && Math.max(wide, high) >= FULLNESS_MIN;
   }
 
   pan(right, down) {

@@ -18,6 +18,7 @@ from judge.diagnosis.gallery import (
     load_gallery,
 )
 from judge.diagnosis.ranking import known_alike, missed_lessons, wrong_scenes
+from judge.explanation import FailedScene
 from judge.kit.paths import BRUTE_FORCE, REFERENCE
 from judge.kit.trusted import python_command, read_answers, run_trusted
 from judge.problem.declaration import load
@@ -33,7 +34,6 @@ PROBLEM = load()
 SOME = (
     "wrong_answer/strict_touch.py",
     "wrong_answer/answer_kept.py",
-    "wrong_answer/no_line_without_obstacles.py",
     "run_time_error/exit_code_3.py",
 )
 # What no tiny scenario can catch: they fail with large polygons only.
@@ -75,10 +75,11 @@ def test_every_answer_is_right(solver):
     assert {YES, NO} == set(found)
 
 
-def test_scenes_are_reproduced_from_how_they_were_made():
+@pytest.mark.parametrize("many", [4, pytest.param(8, marks=pytest.mark.slow)])
+def test_scenes_are_reproduced_from_how_they_were_made(many):
     made = [scene for scene in SHIPPED.scenes if scene.made]
     assert made
-    for scene in made[:: len(made) // 8]:
+    for scene in made[:: len(made) // many]:
         assert [remade(scene.made)] == parse(input_file([scene])), scene.name
 
 
@@ -102,6 +103,7 @@ def test_known_answers_are_current():
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("compiled_once")
 def test_all_known_answers_are_current_and_the_first_lesson_is_nearly_always_the_true_one():
     answers = asked(faulty_submissions(PROBLEM))
     assert answers_text(steady_answers(answers)) == (GALLERY / "answers.json").read_bytes()
@@ -129,6 +131,21 @@ def test_a_program_that_answers_like_a_known_one_is_told_its_bug():
     index = min(set(range(len(given))) - wrong_scenes(SHIPPED, given))
     other = "N" if given[index] == "Y" else "Y"
     assert known_alike(SHIPPED, given[:index] + other + given[index + 1 :]) is None
+
+
+def test_a_missed_lesson_shows_the_smallest_of_its_own_scenes():
+    scenes = (
+        Scene("large", "touch", NO, "3 1\n0 0\n0 0\n"),
+        Scene("other", "inside", NO, "3\n"),
+        Scene("small", "touch", NO, "3 1\n0 0\n"),
+        Scene("right", "touch", YES, "3\n"),
+    )
+    gallery = Gallery({"touch": Lesson("T."), "inside": Lesson("I.")}, scenes, {})
+    told = {lesson.id: lesson.scene for lesson in missed_lessons(gallery, "YY-Y")}
+    assert told["touch"] == FailedScene("small", "1\n3 1\n0 0\n", NO, "no answer")
+    assert told["inside"] == FailedScene("other", "1\n3\n", NO, YES)
+    told = {lesson.id: lesson.scene for lesson in missed_lessons(gallery, "YYNN")}
+    assert told["touch"] == FailedScene("right", "1\n3\n", YES, NO)
 
 
 def test_a_lesson_whose_condition_all_wrong_scenes_meet_comes_before_one_where_some_do_not():

@@ -1,0 +1,52 @@
+"""`python -m export verify`: the judges' own tools read the packages back."""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from export.package import load_package
+from export.verify import kattis, plain
+from export.verify.job import Job
+from export.write import chosen, write
+from judge.kit.paths import BUILD
+from judge.kit.progress import progress_bar
+
+VERIFIED = 0
+# By target. Judges without a tool that runs elsewhere have none.
+VERIFIERS: Mapping[str, Callable[[Job], list[str]]] = {
+    "bapctools": kattis.verify_bapctools,
+    "kattis": kattis.verify_legacy,
+    "kattis-pass-fail": kattis.verify_legacy,
+    "plain": plain.verify,
+}
+
+
+def command(arguments: Sequence[str]) -> int:
+    """Write each package anew, and verify it; return 0. Raises VerifyError at the first fault."""
+    parser = argparse.ArgumentParser(
+        prog="python -m export verify",
+        description="Write packages, and let the judges' own tools read them back.",
+    )
+    add = parser.add_argument
+    add("target", nargs="+", help="which; 'all' means all that a tool can read")
+    add("--compact", action="store_true", help="only the cases of data/compact.json")
+    add("--quick", action="store_true", help="leave out LaTeX and the judging of submissions")
+    options = parser.parse_args(arguments)
+    with tempfile.TemporaryDirectory(prefix="verify-", dir=BUILD) as name:
+        for target in chosen(options.target):
+            verify = VERIFIERS.get(target.name)
+            if verify is None:
+                print(f"{target.name}: no tool of this judge runs here")
+                continue
+            scratch = Path(name) / target.name
+            scratch.mkdir()
+            package = load_package(compact=options.compact or target.compact)
+            path = write(target, package, Path(name) / "packages")
+            with progress_bar(f"verifying {target.name}"):
+                told = verify(Job(path, scratch, options.quick))
+            for line in told:
+                print(f"  {line}", flush=True)
+    return VERIFIED

@@ -1,0 +1,1 @@
+"""How a program's time grows with one quantity of its input, measured on ladders of inputs."""
