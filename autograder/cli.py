@@ -30,7 +30,7 @@ from judge.problem.verdict import Verdict
 from judge.reports.terminal import print_report
 from judge.results import Judging
 from judge.sandbox.keeper.launch import open_to_all
-from stress.front import make_search
+from stress.front import make_search, measure
 
 DONE, FAILED = 0, 2
 PLACE = Path("/autograder")
@@ -81,7 +81,8 @@ def _content(place: Path) -> bytes:
 def _judging(submission: Submission, problem: Problem) -> Judging:
     """Judge a submission; print all about it, for the instructor. Raises KitError."""
     options = Options(jobs=cores(), no_wall=True)
-    judging = judge(submission, problem, options, search=make_search(None, False))
+    search = make_search(None, False)
+    judging = judge(submission, problem, options, search=search, measure=measure)
     print_report(PlainConsole(), judging)
     if judging.wall is None and os.getuid() == 0 and open_to_all(os.path.realpath(sys.executable)):
         print(OWN_USERS)

@@ -20,6 +20,7 @@ from judge.problem.verdict import Verdict
 from judge.reports import words
 from judge.reports.html import MEANING
 from judge.reports.page import render
+from judge.reports.slowness import TITLE, slow_sentences
 from judge.results import GroupResult, Judging
 
 HERE = Path(__file__).parent
@@ -78,6 +79,8 @@ def judged(judging: Judging, seconds: float) -> bytes:
         like_sentence=words.like_sentence,
         size_of=words.size_of,
         limits_line=words.limits_line,
+        slow_title=TITLE,
+        slow=[] if judging.slowness is None else slow_sentences(judging.slowness),
     )
     return _text(
         Results(

@@ -18,7 +18,7 @@ from gen.added import ADDED
 from gen.plan import HAND_MADE
 from judge.kit.paths import DATA, ROOT
 from judge.problem.cases import case_at
-from judge.problem.manifest import MANIFEST, VERSION, Entry, Manifest, load_manifest
+from judge.problem.manifest import MANIFEST, VERSION, Entry, Manifest
 from judge.problem.order import ORDER
 
 KIT = "kit/"
@@ -99,7 +99,7 @@ def _entries(package: Package) -> dict[str, Entry]:
 
     Raises ExportError for a case that is not in the manifest.
     """
-    known = load_manifest(DATA).cases
+    known = package.manifest.cases
     names = [case.name for group in package.groups for case in group.cases]
     names.append(package.problem.calibration.case)
     missing = next((name for name in names if name not in known), None)

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from export.package import ExportError
+from export.verify.job import Job, VerifyError
 from export.verify.workflow import run_job
 from judge.kit.paths import REFERENCE
 
@@ -16,17 +16,18 @@ REPORTS = ("report.html", "report.json", "report.txt", "junit.xml")
 STARTERS = ("solution.py", "solution.cpp", "Solution.java")
 
 
-def verify(package: Path, scratch: Path) -> list[str]:
-    """Push nothing, each starter, and the reference. Raises ExportError; returns what was done."""
-    repository = scratch / "repository"
-    shutil.copytree(package, repository)
+def verify(job: Job) -> list[str]:
+    """Push nothing, the starters, the reference. quick: one starter only. Raises VerifyError."""
+    repository = job.scratch / "repository"
+    shutil.copytree(job.package, repository)
     _git(repository, "init", "--quiet")
     told = pushed(repository, {}, "", "found 0")
-    for starter in STARTERS:
+    for starter in STARTERS[:1] if job.quick else STARTERS:
         source = repository / "starters" / starter
         told += pushed(repository, {starter: source}, "WA  0 of 100 points", "misses")
-    told += pushed(repository, {"solution.py": REFERENCE}, "AC  100 of 100 points", "large")
-    check_ignored(repository, package)
+    if not job.quick:
+        told += pushed(repository, {"solution.py": REFERENCE}, "AC  100 of 100 points", "many")
+    check_ignored(repository, job.package)
     return told
 
 
@@ -34,7 +35,7 @@ def pushed(repository: Path, files: dict[str, Path], verdict: str, said: str) ->
     """Run the workflow with these files at the top of the repository.
 
     verdict: how the summary's title begins; empty: there is nothing to judge. said: words of the
-    summary. Raises ExportError unless all is as expected.
+    summary. Raises VerifyError unless all is as expected.
     """
     shutil.rmtree(repository / "reports", ignore_errors=True)
     for path in repository.glob("[sS]olution.*"):
@@ -44,31 +45,30 @@ def pushed(repository: Path, files: dict[str, Path], verdict: str, said: str) ->
     what = ", ".join(files) or "nothing"
     ran = run_job(repository / WORKFLOW, JOB, repository)
     if bool(ran.failed) == verdict.startswith("AC"):
-        raise ExportError(f"{what}: unexpected end of the workflow: {'; '.join(ran.told)}")
+        raise VerifyError(f"{what}: unexpected end of the workflow: {'; '.join(ran.told)}")
     title = f"## {verdict}" if verdict else "Expected one file solution.*"
     if not ran.summary.startswith(title) or said not in ran.summary:
-        raise ExportError(f"{what}: expected {title!r} and {said!r}, found {ran.summary!r}")
-    missing = [
-        name for name in REPORTS if verdict and not (repository / "reports" / name).is_file()
-    ]
+        raise VerifyError(f"{what}: expected {title!r} and {said!r}, found {ran.summary!r}")
+    reports = {path.name for path in (repository / "reports").iterdir()}
+    missing = sorted(set(REPORTS) - reports) if verdict else []
     if missing:
-        raise ExportError(f"{what}: expected the report {missing[0]}, found none")
+        raise VerifyError(f"{what}: expected the report {missing[0]}, found none")
     return [f"{what}: {verdict or 'no program'}", *(f"  {line}" for line in ran.told)]
 
 
 def check_ignored(repository: Path, package: Path) -> None:
-    """Raise ExportError unless git sees the files of the package, and none that a judging made."""
+    """Raise VerifyError unless git sees the files of the package, and none that a judging made."""
     for path in repository.glob("[sS]olution.*"):
         path.unlink()
     seen = set(_git(repository, "ls-files", "--others", "--exclude-standard").splitlines())
     known = {path.relative_to(package).as_posix() for path in package.rglob("*") if path.is_file()}
     for name in sorted(seen ^ known):
-        raise ExportError(f"git would {'commit' if name in seen else 'ignore'} {name}")
+        raise VerifyError(f"git would {'commit' if name in seen else 'ignore'} {name}")
 
 
 def _git(repository: Path, *arguments: str) -> str:
     command = ["git", "-C", str(repository), *arguments]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
-        raise ExportError(f"{' '.join(command)}: {done.stderr.strip()}")
+        raise VerifyError(f"{' '.join(command)}: {done.stderr.strip()}")
     return done.stdout

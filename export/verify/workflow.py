@@ -15,7 +15,7 @@ from typing import Any
 
 import yaml
 
-from export.package import ExportError
+from export.verify.job import VerifyError
 
 SHELL = ("bash", "--noprofile", "--norc", "-eo", "pipefail", "-c")  # GitHub's `shell: bash`
 STEP_S = 900.0
@@ -35,11 +35,11 @@ class Ran:
 
 
 def steps_of(workflow: Path, job: str) -> list[dict[str, Any]]:
-    """Return the steps of a job. Raises ExportError."""
+    """Return the steps of a job. Raises VerifyError."""
     try:
         steps = yaml.safe_load(workflow.read_text(encoding="utf-8"))["jobs"][job]["steps"]
     except (OSError, yaml.YAMLError, KeyError, TypeError) as error:
-        raise ExportError(f"{workflow}: expected steps of the job {job!r}: {error}") from None
+        raise VerifyError(f"{workflow}: expected steps of the job {job!r}: {error}") from None
     found: list[dict[str, Any]] = steps
     return found
 
@@ -47,19 +47,19 @@ def steps_of(workflow: Path, job: str) -> list[dict[str, Any]]:
 def skipped(step: Mapping[str, Any]) -> str:
     """Return why a step cannot be run here, empty if it can."""
     if "uses" in step:
-        return f"uses {step['uses']}"
+        return f"it uses {step['uses']}"
     change = next((word for word in CHANGES if word in step["run"]), None)
-    return "" if change is None else f"{change.strip()} would change this machine"
+    return "" if change is None else f"{change.strip()!r} would change this machine"
 
 
 def run_job(workflow: Path, job: str, directory: Path) -> Ran:
-    """Run a job's commands in a directory. Raises ExportError if a step does not end."""
+    """Run a job's commands in a directory. Raises VerifyError if a step does not end."""
     summary = directory.parent / "summary.md"
     summary.unlink(missing_ok=True)
     told, failed = [], ""
     for name, step in _named(steps_of(workflow, job)):
         if why := skipped(step):
-            told.append(f"{name}: skipped, as it {why}")
+            told.append(f"{name}: skipped: {why}")
         elif not failed or step.get("if") == "always()":
             began = time.monotonic()
             status = _run(step, directory, summary)
@@ -88,4 +88,4 @@ def _run(step: Mapping[str, Any], directory: Path, summary: Path) -> int:
             check=False,
         ).returncode
     except subprocess.TimeoutExpired:
-        raise ExportError(f"{step.get('name')}: not done within {STEP_S:.0f} s") from None
+        raise VerifyError(f"{step.get('name')}: not done within {STEP_S:.0f} s") from None

@@ -3,31 +3,17 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from export.package import ExportError, Package, load_package
+from export.package import Package, load_package
 from export.targets.gradescope import TARGETS
 from export.verify import gradescope
 from export.verify.gradescope import hostile, lay_out, read_results, set_up, trials, tried
-from judge.kit.paths import DATA
-from judge.problem.order import judging_order
+from export.verify.job import VerifyError
 
 (TARGET,) = TARGETS
-FIRST = 4  # cases of each group: those that most wrong programs fail
-
-
-@pytest.fixture(scope="module")
-def package() -> Package:
-    """All groups, with their first cases in the order of judging."""
-    whole = load_package()
-    groups = (
-        replace(group, cases=tuple(judging_order(DATA, group.cases)[:FIRST]))
-        for group in whole.groups
-    )
-    return replace(whole, groups=tuple(groups), compact=True)
 
 
 def test_no_large_input_is_in_it() -> None:
@@ -49,16 +35,16 @@ def test_no_submission_is_in_it_that_is_not_needed() -> None:
     ]
 
 
-def test_the_manifest_holds_the_chosen_cases_and_the_calibration_case(package: Package) -> None:
-    files = TARGET.build(package)
+def test_the_manifest_holds_the_chosen_cases_and_the_calibration_case(telling: Package) -> None:
+    files = TARGET.build(telling)
     manifest = json.loads(files.entries["kit/data/manifest.json"].read())
-    chosen = {case.name for group in package.groups for case in group.cases}
-    assert set(manifest["cases"]) == chosen | {package.problem.calibration.case}
+    chosen = {case.name for group in telling.groups for case in group.cases}
+    assert set(manifest["cases"]) == chosen | {telling.problem.calibration.case}
     assert "'secret/large/01-largest'" in files.entries["kit/prepare.sh"].read().decode()
 
 
-def test_what_is_left_if_the_judging_is_ended_blames_nobody(package: Package) -> None:
-    results = read_results(TARGET.build(package).entries["unfinished.json"].read())
+def test_what_is_left_if_the_judging_is_ended_blames_nobody(telling: Package) -> None:
+    results = read_results(TARGET.build(telling).entries["unfinished.json"].read())
     assert "score" not in results
 
 
@@ -66,15 +52,15 @@ def test_what_is_left_if_the_judging_is_ended_blames_nobody(package: Package) ->
     "content", ["", "{", '{"output": "x"}', '{"tests": [{"score": "1"}]}', '{"scores": 1}']
 )
 def test_the_verification_refuses_what_is_not_documented(content: str) -> None:
-    with pytest.raises(ExportError, match=r"results\.json: "):
+    with pytest.raises(VerifyError, match=r"results\.json: "):
         read_results(content.encode())
 
 
 @pytest.mark.slow
-def test_it_works_where_it_is_unpacked(package: Package, tmp_path: Path) -> None:
+def test_it_works_where_it_is_unpacked(telling: Package, tmp_path: Path) -> None:
     """With the first cases of each group only; `verify` does the same with all of them."""
     zipped = tmp_path / "gradescope.zip"
-    TARGET.build(package).write_zip(zipped)
+    TARGET.build(telling).write_zip(zipped)
     place = lay_out(zipped, tmp_path / "autograder")
     set_up(place)
     for trial in [*trials(), *hostile(place)]:
