@@ -12,6 +12,7 @@ import sys
 import time
 import traceback
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from autograder.results import broken, judged, refused
@@ -30,7 +31,7 @@ from judge.problem.verdict import Verdict
 from judge.reports.terminal import print_report
 from judge.results import Judging
 from judge.sandbox.keeper.launch import open_to_all
-from stress.front import make_search, measure
+from stress.front import illustrate, make_search, measure
 
 DONE, FAILED = 0, 2
 PLACE = Path("/autograder")
@@ -75,7 +76,10 @@ def _content(place: Path) -> bytes:
         print(f"not judged: {error}")
         return refused(str(error), problem.groups)
     judging = _judging(submission, problem)
-    return judged(told(judging, problem.feedback), time.monotonic() - began)
+    permitted = told(judging, problem.feedback)
+    if permitted.diagnosis is not None:
+        permitted = replace(permitted, diagnosis=illustrate(permitted.diagnosis))
+    return judged(permitted, time.monotonic() - began)
 
 
 def _judging(submission: Submission, problem: Problem) -> Judging:

@@ -62,8 +62,6 @@ class Results(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 def judged(judging: Judging, seconds: float) -> bytes:
     """Return results.json for a judging, as it may be told, which took so many seconds."""
-    example = judging.counterexample
-    picture = without_stylesheet(example.picture) if example and example.picture else ""
     output = render(
         "results.html",
         HERE,
@@ -71,8 +69,8 @@ def judged(judging: Judging, seconds: float) -> bytes:
         meaning=MEANING[judging.verdict],
         failure=judging.first_failure,
         diagnosis=judging.diagnosis,
-        example=example,
-        picture=picture,
+        example=judging.counterexample,
+        without_stylesheet=without_stylesheet,
         headline=words.headline,
         missed_title=words.missed_title,
         wrong_scenes=words.wrong_scenes,

@@ -26,7 +26,8 @@ LAYOUT = {
 }
 IGNORED = ("__pycache__/", "/reports/", f"/{KIT}.venv/", f"/{KIT}build/")
 FIGURE = re.compile(r"\]\(([\w./-]+\.svg)\)")
-TELLS = re.compile(r'^tell = "counterexample"', re.MULTILINE)
+TELLS = 'tell = "counterexample"'
+FRONT = "stress.front"  # which adds --explain
 
 
 def build(package: Package) -> Files:
@@ -44,15 +45,25 @@ def build(package: Package) -> Files:
 
 def _parts() -> Parts:
     """Return the parts of the kit that students may have. Raises ExportError."""
-    text = PROBLEM_FILE.read_text(encoding="utf-8")
-    told = TELLS.sub('tell = "lessons"', text)
-    if not re.search(r'^tell = "(lessons|verdict)"', told, re.MULTILINE):
-        raise ExportError(f"{PROBLEM_FILE}: expected tell = in [feedback] on a line of its own")
     return Parts(
         rooms=("gen", "judge"),
-        files=("stress/__init__.py", "stress/front.py"),
-        replaced=((PROBLEM_FILE.name, told),),
+        files=(),
+        replaced=(
+            _replaced(PROBLEM_FILE, TELLS, 'tell = "lessons"', 'tell = "verdict"'),
+            _replaced(ROOT / "checker.py", FRONT, "judge.cli"),
+        ),
     )
+
+
+def _replaced(file: Path, old: str, new: str, *others: str) -> tuple[str, str]:
+    """Return the name of a file and its text with `new` for `old`.
+
+    Raises ExportError if it holds neither `old`, `new`, nor one of `others`.
+    """
+    text = file.read_text(encoding="utf-8")
+    if not any(word in text for word in (old, new, *others)):
+        raise ExportError(f"{file}: expected {old!r}, found none")
+    return file.name, text.replace(old, new)
 
 
 TARGETS = (

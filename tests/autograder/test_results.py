@@ -14,7 +14,15 @@ from autograder.results import broken, judged, refused
 from export.verify.gradescope import read_results
 from gen.scenario import parse
 from judge.compare import Mismatch
-from judge.explanation import Counterexample, Diagnosis, Like, MissedLesson
+from judge.explanation import (
+    Counterexample,
+    Diagnosis,
+    FailedScene,
+    Like,
+    MissedLesson,
+    Size,
+    Slowness,
+)
 from judge.feedback import told
 from judge.kit.paths import DATA
 from judge.problem.cases import Case, case_at
@@ -85,6 +93,23 @@ def test_it_tells_why() -> None:
     ]
     assert "first failure: secret/small/beta: differs" in results["tests"][1]["output"]
     assert "its words" in results["tests"][2]["output"]
+
+
+def test_without_a_counterexample_the_scene_of_the_first_lesson_is_shown() -> None:
+    scene = FailedScene("touch-1", SCENE, "NO", "YES", "They touch.", EXAMPLE.picture)
+    lessons = tuple(MissedLesson(n, f"Sentence {n}.", ("touch-1",), scene) for n in ("a", "b"))
+    judging = replace(JUDGING, diagnosis=replace(DIAGNOSIS, lessons=lessons))
+    assert "They touch." not in read_results(judged(judging, 1.0))["output"]
+    output = read_results(judged(replace(judging, counterexample=None), 1.0))["output"]
+    assert output.count("They touch.") == output.count(f"<pre>{SCENE}</pre>") == 1
+    assert output.count("<svg") == 1
+
+
+def test_a_slow_program_is_told_why() -> None:
+    size = Size("secret/large/01", "", "", 1, 1000, 1000, 9, 1_000_000, 9_000_000)
+    output = read_results(judged(replace(JUDGING, slowness=Slowness(size)), 1.0))["output"]
+    assert "Why it is too slow" in output
+    assert "secret/large/01" in output
 
 
 def test_what_a_student_writes_is_no_markup() -> None:
