@@ -14,7 +14,7 @@ from judge.kit.command import run
 from judge.kit.paths import BUILD
 
 DONE = 0
-LIST, VERIFY = "list", "verify"
+LIST, VERIFY, VERDICTS = "list", "verify", "verdicts"
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -25,10 +25,12 @@ def main(arguments: Sequence[str]) -> int:
 def _command(arguments: Sequence[str]) -> int:
     if arguments[:1] == [VERIFY]:
         return verify.command(arguments[1:])
+    if arguments[:1] == [VERDICTS]:
+        return verify.verdicts(arguments[1:])
     parser = argparse.ArgumentParser(
         prog="python -m export",
         description="Write packages that other judges import as they are. "
-        "Another command: python -m export verify.",
+        "Other commands: python -m export verify, python -m export verdicts.",
     )
     add = parser.add_argument
     add("target", nargs="+", help=f"what to write; '{LIST}' names the targets, '{ALL}' means all")

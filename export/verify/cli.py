@@ -9,9 +9,12 @@ from pathlib import Path
 
 from export.package import load_package
 from export.verify import classroom, gradescope, kattis, plain
+from export.verify import verdicts as table
 from export.verify.job import Job
 from export.write import chosen, write
+from judge.kit.command import add_jobs
 from judge.kit.paths import BUILD
+from judge.kit.processors import processors
 from judge.kit.progress import progress_bar
 
 VERIFIED = 0
@@ -24,6 +27,19 @@ VERIFIERS: Mapping[str, Callable[[Job], list[str]]] = {
     "kattis-pass-fail": kattis.verify_legacy,
     "plain": plain.verify,
 }
+
+
+def verdicts(arguments: Sequence[str]) -> int:
+    """Write docs/verdicts.md; return 0 if every submission has the same verdict everywhere."""
+    parser = argparse.ArgumentParser(
+        prog="python -m export verdicts",
+        description="Judge every submission here and with the judges' own tools, and write the "
+        "table of verdicts, docs/verdicts.md. Takes the better part of an hour on an idle machine.",
+    )
+    add_jobs(parser, processors(), "submissions judged")
+    options = parser.parse_args(arguments)
+    with tempfile.TemporaryDirectory(prefix="verify-", dir=BUILD) as name:
+        return table.command(load_package(), Path(name), options.jobs)
 
 
 def command(arguments: Sequence[str]) -> int:

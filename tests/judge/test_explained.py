@@ -13,7 +13,7 @@ import pytest
 from rich.console import Console
 from rich.text import Text
 
-from judge.cli import main
+from judge.cli import Explainers, main
 from judge.compare import Mismatch
 from judge.explanation import Counterexample, Diagnosis, FailedScene, Like, MissedLesson
 from judge.judging import Search
@@ -233,14 +233,15 @@ def test_a_search_is_offered_and_its_result_told(
         seeds.append(seed)
         return lambda _failure: EXAMPLE
 
+    explainers = Explainers(make_search, lambda diagnosis: diagnosis, lambda _failure: ())
     report, page = data.parent / "report.json", data.parent / "report.html"
     command = [str(source("yes.py", WRONG)), "--data", str(data), "--no-wall"]
-    assert main(command, make_search) == 1
+    assert main(command, explainers) == 1
     offered = capsys.readouterr().out
     assert "--explain looks for a smallest input" in offered
     assert EXAMPLE.sentence not in offered
     reports = ["--json", str(report), "--html", str(page)]
-    assert main([*command, "--explain", "--seed", "7", *reports], make_search) == 1
+    assert main([*command, "--explain", "--seed", "7", *reports], explainers) == 1
     told = capsys.readouterr().out
     assert "--explain looks" not in told
     assert EXAMPLE.sentence in told
@@ -248,5 +249,5 @@ def test_a_search_is_offered_and_its_result_told(
     assert EXAMPLE.sentence in page.read_text().replace("&#39;", "'")
     assert seeds == [7]
     right = [str(source("echo.py", "print(open(0).read())\n")), *command[1:]]
-    assert main(right, make_search) == 0
+    assert main(right, explainers) == 0
     assert "--explain" not in capsys.readouterr().out
