@@ -32,7 +32,7 @@ KEPT = BUILD / "machine.json"
 LIMIT_FACTOR = 100.0  # if the reference is slower than this, something is broken
 LEAST_RUNS, MOST_RUNS = 3, 12
 AGREEMENT = 1.02  # the greatest ratio of the two fastest runs: then neither was disturbed
-UNCALIBRATED = "not scaled to this machine: the calibration case is not built"
+UNCALIBRATED = "not scaled to this machine: no reference here, or no calibration case"
 
 
 class MachineError(KitError):
@@ -69,11 +69,11 @@ def kept_scale(problem: Problem, path: Path = KEPT) -> Scale | None:
 
 
 def measure_scale(problem: Problem, sandbox: Sandbox, path: Path = KEPT) -> Scale | None:
-    """Time the reference; keep and return the scale. None: the calibration case is not built.
+    """Time the reference; keep and return the scale. None: it or its case is not there.
 
     Raises MachineError if the reference fails, CasesError, SandboxError.
     """
-    if not calibration_case(problem).input.is_file():
+    if not (calibration_case(problem).input.is_file() and REFERENCE.is_file()):
         return None
     declared_s = problem.calibration.reference_cpu_s
     measured_s = reference_cpu_s(problem, sandbox, enough_s=declared_s)

@@ -120,6 +120,18 @@ def test_answers_are_found_by_their_checksum_when_few_come_into_question():
     assert len([answers for _, answers in found if answers is None]) >= 50
 
 
+def test_answers_that_are_there_need_no_reference(gen, data, monkeypatch):
+    """As in a kit for students, which has none."""
+    (data / f"{TINY}.in").unlink()
+    (data / f"{TINY}.ans").rename(data / f"{TINY}.kept")
+    monkeypatch.setattr(build, "REFERENCE", data / "none.py")
+    monkeypatch.setattr(build, "recorded_answers", lambda _entry: None)
+    assert gen("build", TINY, "--data", data, "--jobs", "1") == 1
+    (data / f"{TINY}.kept").rename(data / f"{TINY}.ans")
+    assert gen("build", TINY, "--data", data, "--jobs", "1") == 0
+    assert faults(data, TINY, load_manifest(data).cases[TINY]) == []
+
+
 def test_check_finds_every_kind_of_fault(gen, data, capsys):
     (data / f"{TINY}.in").unlink()
     (data / "secret/small/03-tiny-quads.ans").write_text("YES\n")
