@@ -19,7 +19,7 @@ from export.verify.job import VerifyError
 
 SHELL = ("bash", "--noprofile", "--norc", "-eo", "pipefail", "-c")  # GitHub's `shell: bash`
 STEP_S = 900.0
-CHANGES = ("sudo ", "apt-get ", "git config --global")
+CHANGES = ("sudo ", "apt-get ", "/proc/sys/", "git config --global")
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -54,6 +55,15 @@ def test_a_strange_name_is_no_fault_of_the_judge(tmp_path: Path) -> None:
     assert cli.main([str(tmp_path)]) == 0
     results = json.loads((tmp_path / "results" / "results.json").read_bytes())
     assert r"\udcff \x1b[2J.txt: expected a suffix" in results["output"]
+
+
+@pytest.mark.skipif(os.getuid() != 0, reason="only root runs programs as other users")
+def test_nobody_else_may_enter_where_answers_and_results_are(tmp_path: Path) -> None:
+    for name in ("source", "results"):
+        (tmp_path / name).mkdir()
+    graded(tmp_path, None)
+    modes = {path.name: path.stat().st_mode & 0o777 for path in tmp_path.iterdir()}
+    assert modes == dict.fromkeys(("source", "submission", "results"), 0o700)
 
 
 def test_no_program_scores_nothing(tmp_path: Path) -> None:

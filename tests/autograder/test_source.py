@@ -25,7 +25,7 @@ def hand_in(directory: Path, files: dict[str, str]) -> Path:
         {"solution.py": PYTHON},
         {"my first program.py": PYTHON},
         {"week 3/src/a.py": PYTHON, "week 3/README.md": "hello", "week 3/data.in": "1"},
-        {"a.py": PYTHON, "__MACOSX/._a.py": "x", "._a.py": "x", ".DS_Store": "x", ".git/b.py": "x"},
+        {"a.py": PYTHON, "__MACOSX/a.py": "x", "._a.py": "x", ".DS_Store": "x", ".git/b.py": "x"},
         {"program.txt": PYTHON},
         {"program": PYTHON},
     ],

@@ -19,6 +19,7 @@ from export.targets.classroom import TARGETS, TEMPLATE
 from export.verify.classroom import pushed
 from export.verify.job import VerifyError
 from export.verify.workflow import run_job, skipped, steps_of
+from gen.scenario import Scenario, parse
 from judge.kit.paths import BRUTE_FORCE, DATA, REFERENCE, ROOT, SUBMISSIONS
 from judge.problem.declaration import load
 
@@ -113,37 +114,71 @@ def test_steps_run_as_a_runner_runs_them(tmp_path: Path) -> None:
         run_job(workflow, "other", place)
 
 
-def answers(command: list[str], file: Path) -> list[str]:
-    done = subprocess.run(command, stdin=file.open(), capture_output=True, text=True, check=True)
-    return done.stdout.split()
-
-
-def always_yes(file: Path) -> list[str]:
-    return ["YES"] * len(file.with_suffix(".ans").read_text().split())
+def scenarios(file: Path) -> list[Scenario]:
+    return list(parse(file.read_bytes()))
 
 
 @pytest.mark.parametrize("file", SAMPLES, ids=lambda path: path.stem)
-def test_the_python_starter_reads_everything(file: Path) -> None:
-    assert answers([sys.executable, starter.__file__], file) == always_yes(file)
+def test_the_python_starter_reads_everything(
+    file: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    read: list[Scenario] = []
+
+    def free(robot: Any, move: Any, obstacles: Any) -> bool:
+        read.append(Scenario(tuple(robot), move, tuple(map(tuple, obstacles))))
+        return True
+
+    assert starter.free([], (0, 0), [])
+    monkeypatch.setattr(starter, "free", free)
+    monkeypatch.setattr(sys, "stdin", file.open())
+    starter.main()
+    assert capsys.readouterr().out.split() == ["YES"] * len(scenarios(file))
+    expected = [
+        Scenario(tuple(s.robot), s.move, tuple(map(tuple, s.obstacles))) for s in scenarios(file)
+    ]
+    assert read == expected
 
 
 @pytest.mark.slow
-def test_the_other_starters_read_everything(tmp_path: Path) -> None:
-    if not (shutil.which("g++") and shutil.which("javac")):
-        pytest.skip("no g++ or no javac is installed")
-    shutil.copyfile(TEMPLATE / "Starter.java", tmp_path / "Solution.java")
-    compilers = (
-        ["g++", "-std=c++17", "-Wall", "-Werror", "-o", "a.out", TEMPLATE / "starter.cpp"],
-        ["javac", "-Xlint", "-Werror", "Solution.java"],
-    )
-    for compiler in compilers:
-        subprocess.run(compiler, cwd=tmp_path, check=True)
-    for command in (["./a.out"], ["java", "Solution"]):
-        for file in [*SAMPLES, *sorted((DATA / "secret/small").glob("0*.in"))]:
-            run = subprocess.run(
-                command, cwd=tmp_path, stdin=file.open(), capture_output=True, text=True, check=True
-            )
-            assert run.stdout.split() == always_yes(file)
+@pytest.mark.parametrize(
+    ("name", "file", "decides", "compiler", "command"),
+    [
+        (
+            "starter.cpp",
+            "a.cpp",
+            "return (robot.size() + obstacles.size() + move.x + move.y) % 2 == 0;",
+            ["g++", "-std=c++17", "-Wall", "-Werror", "a.cpp"],
+            ["./a.out"],
+        ),
+        (
+            "Starter.java",
+            "Solution.java",
+            "return (robot.x.length + obstacles.size() + dx + dy) % 2 == 0;",
+            ["javac", "-Xlint", "-Werror", "Solution.java"],
+            ["java", "Solution"],
+        ),
+    ],
+)
+def test_the_other_starters_read_everything(
+    name: str, file: str, decides: str, compiler: list[str], command: list[str], tmp_path: Path
+) -> None:
+    """With an answer that depends on what was read."""
+    if shutil.which(compiler[0]) is None:
+        pytest.skip(f"no {compiler[0]} is installed")
+    source = (TEMPLATE / name).read_text()
+    assert source.count("return true;") == 1
+    (tmp_path / file).write_text(source)
+    subprocess.run(compiler, cwd=tmp_path, check=True)  # as it is, without a warning
+    (tmp_path / file).write_text(source.replace("return true;", decides))
+    subprocess.run(compiler, cwd=tmp_path, check=True)
+    for given in [*SAMPLES, DATA / "secret/small/02-tiny.in"]:
+        run = subprocess.run(
+            command, cwd=tmp_path, stdin=given.open(), capture_output=True, text=True, check=True
+        )
+        assert run.stdout.split() == [
+            "NO" if (len(s.robot) + len(s.obstacles) + sum(s.move)) % 2 else "YES"
+            for s in scenarios(given)
+        ]
 
 
 @pytest.mark.slow

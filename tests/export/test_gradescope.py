@@ -22,6 +22,7 @@ def test_no_large_input_is_in_it() -> None:
     assert {"setup.sh", "run_autograder", "kit/solution.py", "kit/data/manifest.json"} <= names
     assert "kit/data/secret/large/01-largest.in" not in names
     assert "kit/data/secret/large/01-largest.ans" in names
+    assert "kit/data/secret/small/02-tiny.in" in names
     assert files.size < 20 << 20
     assert files.entries["setup.sh"].executable
     assert files.entries["run_autograder"].executable
