@@ -25,15 +25,14 @@ from judge.problem.declaration import Problem
 from judge.problem.manifest import load_manifest
 from judge.problem.verdict import Verdict
 from judge.results import Scale
-from judge.run import run_case
-from judge.sandbox.facts import RunLimits
+from judge.run import declared_limits, run_case
 from judge.sandbox.sandbox import Sandbox
 
 KEPT = BUILD / "machine.json"
 LIMIT_FACTOR = 100.0  # if the reference is slower than this, something is broken
 LEAST_RUNS, MOST_RUNS = 3, 12
 AGREEMENT = 1.02  # the greatest ratio of the two fastest runs: then neither was disturbed
-UNCALIBRATED = "not scaled to this machine: the calibration case is not built"
+UNCALIBRATED = "not scaled to this machine: no reference here, or no calibration case"
 
 
 class MachineError(KitError):
@@ -70,11 +69,11 @@ def kept_scale(problem: Problem, path: Path = KEPT) -> Scale | None:
 
 
 def measure_scale(problem: Problem, sandbox: Sandbox, path: Path = KEPT) -> Scale | None:
-    """Time the reference; keep and return the scale. None: the calibration case is not built.
+    """Time the reference; keep and return the scale. None: it or its case is not there.
 
     Raises MachineError if the reference fails, CasesError, SandboxError.
     """
-    if not calibration_case(problem).input.is_file():
+    if not (calibration_case(problem).input.is_file() and REFERENCE.is_file()):
         return None
     declared_s = problem.calibration.reference_cpu_s
     measured_s = reference_cpu_s(problem, sandbox, enough_s=declared_s)
@@ -136,11 +135,7 @@ def reference_cpu_s(problem: Problem, sandbox: Sandbox, enough_s: float = 0.0) -
         reference = compile_submission(read_submission(REFERENCE), problem.limits, sandbox)
     except CompileError as error:
         raise MachineError(f"the reference does not compile: {error}") from None
-    limits = RunLimits(
-        problem.calibration.reference_cpu_s * LIMIT_FACTOR,
-        problem.limits.memory_mib,
-        problem.limits.output_mib,
-    )
+    limits = declared_limits(problem.limits, problem.calibration.reference_cpu_s * LIMIT_FACTOR)
     times_s: list[float] = []
     while len(times_s) < MOST_RUNS:
         result = run_case(sandbox, reference, limits, case)

@@ -8,7 +8,7 @@ import pytest
 
 from judge.kit.paths import ROOT
 
-COMMANDS = ("gen", "explorer", "pictures", "stress", "strength", "bench", "judge")
+COMMANDS = ("autograder", "gen", "explorer", "pictures", "stress", "strength", "bench", "judge")
 FILES = ("checker.py", "bench/fairness.py", "bench/overhead.py")
 
 

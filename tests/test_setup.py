@@ -28,7 +28,17 @@ def test_an_old_python_can_parse_it(name: str) -> None:
 
 
 def test_every_command_has_a_door() -> None:
-    commands = {"bench", "explorer", "gen", "judge", "pictures", "stress", "strength"}
+    commands = {
+        "autograder",
+        "bench",
+        "explorer",
+        "export",
+        "gen",
+        "judge",
+        "pictures",
+        "stress",
+        "strength",
+    }
     assert {Path(name).parts[0] for name in DOORS if name.endswith("__main__.py")} == commands
 
 

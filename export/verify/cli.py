@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from export.package import load_package
-from export.verify import cms, kattis, plain, polygon
+from export.verify import classroom, cms, gradescope, kattis, plain, polygon
 from export.verify import verdicts as table
 from export.verify.job import Job
 from export.write import chosen, write
@@ -21,7 +21,9 @@ VERIFIED = 0
 # By target. Judges without a tool that runs elsewhere have none.
 VERIFIERS: Mapping[str, Callable[[Job], list[str]]] = {
     "bapctools": kattis.verify_bapctools,
+    "classroom": classroom.verify,
     "cms": cms.verify,
+    "gradescope": gradescope.verify,
     "kattis": kattis.verify_legacy,
     "kattis-pass-fail": kattis.verify_legacy,
     "plain": plain.verify,

@@ -85,8 +85,8 @@ def _failure_lines(failure: CaseResult, *, smaller: bool, verbose: bool) -> Iter
     scenario = failing_scenario(failure)
     if scenario is None or failure.mismatch is None:
         return
-    if not smaller:
-        yield f"  see it {see_it(failure.case.input, failure.mismatch.scenario)}"
+    if not smaller and (command := see_it(failure.case.input, failure.mismatch.scenario)):
+        yield f"  see it {command}"
     if len(scenario) <= SHORT_LINES:
         yield f"  scenario {failure.mismatch.scenario} as an input of its own:"
         yield as_input(scenario)

@@ -101,7 +101,7 @@ def test_verify_makes_what_is_current_again(gen, data, capsys):
 
 def test_what_was_built_is_not_read_again_for_its_checksums(gen, data, tmp_path, monkeypatch):
     """Its checksums are kept once its time stamps have settled, see judge.kit.checksums."""
-    monkeypatch.setattr("gen.cli.Store", lambda: Store(tmp_path / "store.sqlite"))
+    monkeypatch.setattr("gen.commands.build.Store", lambda: Store(tmp_path / "store.sqlite"))
     monkeypatch.setattr("judge.kit.checksums.SETTLED_AFTER_NS", 0)
     time.sleep(0.02)
     assert gen("build", "secret/small/0*", "--force", "--data", data) == 0
@@ -118,6 +118,18 @@ def test_answers_are_found_by_their_checksum_when_few_come_into_question():
     few = [answers for entry, answers in found if min(entry.yes, entry.no) == 0]
     assert None not in few
     assert len([answers for _, answers in found if answers is None]) >= 50
+
+
+def test_answers_that_are_there_need_no_reference(gen, data, monkeypatch):
+    """As in a kit for students, which has none."""
+    (data / f"{TINY}.in").unlink()
+    (data / f"{TINY}.ans").rename(data / f"{TINY}.kept")
+    monkeypatch.setattr(build, "REFERENCE", data / "none.py")
+    monkeypatch.setattr(build, "recorded_answers", lambda _entry: None)
+    assert gen("build", TINY, "--data", data, "--jobs", "1") == 1
+    (data / f"{TINY}.kept").rename(data / f"{TINY}.ans")
+    assert gen("build", TINY, "--data", data, "--jobs", "1") == 0
+    assert faults(data, TINY, load_manifest(data).cases[TINY]) == []
 
 
 def test_check_finds_every_kind_of_fault(gen, data, capsys):

@@ -20,7 +20,9 @@ from judge.judging import Search
 from judge.kit.paths import DATA
 from judge.problem.cases import Case, case_at
 from judge.problem.verdict import Verdict
+from judge.reports import words
 from judge.reports.explained import print_explained
+from judge.reports.html import to_html
 from judge.reports.terminal import print_report
 from judge.results import CaseResult, GroupResult, Judging
 
@@ -106,6 +108,14 @@ def test_a_picture_is_offered_only_where_it_helps(case: Case) -> None:
     text = said(failed(case))
     assert "see it" not in text
     assert "of its own" not in text
+
+
+def test_a_kit_that_cannot_draw_offers_no_picture(
+    case: Case, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(words, "PICTURES", tmp_path / "none")
+    assert "see it" not in said(failed(case))
+    assert b"picture" not in to_html(failed(case))
 
 
 def test_the_most_telling_lessons_and_all_on_request(case: Case) -> None:

@@ -120,6 +120,15 @@ def test_without_the_calibration_case_there_is_no_scale(
     assert measure_scale(PROBLEM, None, tmp_path / "kept") is None  # type: ignore[arg-type] # not used
 
 
+def test_without_the_reference_there_is_no_scale(
+    times: Times, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """As in a kit for students."""
+    times(2 * DECLARED_S, 2 * DECLARED_S, 2 * DECLARED_S)
+    monkeypatch.setattr(machine, "REFERENCE", tmp_path / "none.py")
+    assert measure_scale(PROBLEM, None, tmp_path / "kept") is None  # type: ignore[arg-type] # not used
+
+
 def test_cores_are_counted_by_what_the_kernel_says(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -1,0 +1,1 @@
+"""What runs in Gradescope's container: finds the student's file, judges it, writes results.json."""

@@ -1,0 +1,1 @@
+"""What students get: README, workflow, and programs to begin with."""
