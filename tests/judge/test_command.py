@@ -116,7 +116,18 @@ def test_what_is_like_no_option_gets_no_suggestion(capsys: pytest.CaptureFixture
 
 def test_every_command_line_is_parsed_in_one_place() -> None:
     own = {"judge/kit/command.py", "gen/validator.py"}  # the validator stands alone
-    packages = ("judge", "gen", "stress", "strength", "bench", "pictures", "explorer", "tools")
+    packages = (
+        "judge",
+        "gen",
+        "stress",
+        "strength",
+        "bench",
+        "pictures",
+        "explorer",
+        "tools",
+        "export",
+        "autograder",
+    )
     found = {
         path.relative_to(ROOT).as_posix()
         for package in packages
