@@ -135,9 +135,15 @@ def python_runner(sandbox: Sandbox, out: Path) -> RunPython:
     return run
 
 
-@pytest.fixture(params=["sandbox", "walled_sandbox", "uncounted_sandbox"])
+@pytest.fixture(
+    params=[
+        "walled_sandbox",
+        "uncounted_sandbox",  # the keeper samples, as without a wall
+        pytest.param("sandbox", marks=pytest.mark.slow),
+    ]
+)
 def run_python(request: pytest.FixtureRequest, tmp_path: Path) -> RunPython:
-    """Run Python code; every test runs twice, with the keeper alone and behind the wall."""
+    """Run Python code behind the wall, there without control groups, and with the keeper alone."""
     return python_runner(request.getfixturevalue(request.param), tmp_path / "out")
 
 

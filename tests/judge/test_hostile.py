@@ -48,6 +48,10 @@ SLOW = {  # only with a diagnosis, in a slow test; for each, a fast test has one
     *("memory_in_sockets.c", "memory_of_one.c"),  # memory_in_pipes.c, memory_of_many.c
     *("includes_accounts.c", "escapes_in_source.py3"),  # includes_input.c, error_flood.c
     *("aborts.c", "forks_relay.c"),  # stack_overflow.c, forks_fast.c
+    *("burns_in_threads.c", "execs_itself.c"),  # burns_in_children.py, loops.c
+    *("memory_after_main.c", "memory_spike.c"),  # memory_of_the_unseen.c, memory_of_many.c
+    *("right_then_more.py", "binary.py"),  # right_then_crash.c, endless_line.c
+    *("includes_zeros.c", "endless_templates.cpp"),  # includes_itself.c, macro_bomb.c
 }
 SECONDS_AT_MOST = 30  # elapsed, for one program on a busy machine
 PR_SET_CHILD_SUBREAPER = 36
