@@ -40,10 +40,10 @@ judge: data ## judge a program on all test cases: make judge [SUBMISSION=my.cpp]
 	@$(RUN) checker.py $(SUBMISSION)
 
 test: setup data ## run the fast tests, in about two minutes
-	@$(RUN) -m pytest -n auto --dist loadgroup -m "not slow"
+	@$(RUN) -m pytest -n auto -m "not slow"
 
 test-all: setup data ## run all tests, also the slow ones
-	@$(RUN) -m pytest -n auto --dist loadgroup
+	@$(RUN) -m pytest -n auto
 
 case: .venv/.ready ## add a test case: make case FAMILY=contacts [SEED=7] [GROUP=small] [ARGS="--set n=9"]
 	@$(RUN) -m gen case $(FAMILY) --seed $(SEED) --group $(GROUP) $(ARGS)
@@ -93,5 +93,6 @@ format: setup ## format the code
 types: setup ## check the types
 	@$(RUN) -m mypy
 
-clean: ## delete what can be rebuilt: environment, large data, caches
-	@rm -rf .venv build data/secret/large data/secret/many .pytest_cache .mypy_cache .ruff_cache .hypothesis
+clean: ## delete what can be rebuilt: environment, large data, caches; data that you added stays
+	@if [ -e .venv/.ready ]; then $(RUN) -m gen clean; else echo "data/ is kept: the kit is not set up"; fi
+	@rm -rf .venv build .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -6,7 +6,6 @@ costs the points; a fault of the judge gives no score, and says so to the instru
 
 from __future__ import annotations
 
-import argparse
 import os
 import sys
 import time
@@ -19,7 +18,7 @@ from autograder.results import broken, judged, refused
 from autograder.source import handed_in
 from judge.feedback import told
 from judge.judging import Options, judge
-from judge.kit.command import complain, run
+from judge.kit.command import Parser, complain, run
 from judge.kit.console import PlainConsole
 from judge.kit.errors import KitError
 from judge.kit.files import write_whole
@@ -48,7 +47,7 @@ class JudgeFailedError(KitError):
 
 def main(arguments: Sequence[str]) -> int:
     """Judge, and write results.json. Return the exit status: 0 done, 2 if the judge failed."""
-    parser = argparse.ArgumentParser(prog="python -m autograder", description=__doc__)
+    parser = Parser(prog="python -m autograder", description=__doc__)
     parser.add_argument("place", nargs="?", type=Path, default=PLACE, help=f"({PLACE})")
     return run("autograder", lambda: _command(parser.parse_args(arguments).place.resolve()))
 

@@ -18,7 +18,7 @@ from pathlib import Path
 
 from bench import growth
 from bench.measure import cpu_s
-from judge.kit.command import run, whole_number
+from judge.kit.command import Parser, run, whole_number
 from judge.kit.paths import REFERENCE
 from judge.kit.store import Store
 from judge.kit.trusted import python_command
@@ -38,7 +38,7 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _options(arguments: Sequence[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m bench",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,

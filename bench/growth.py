@@ -26,7 +26,7 @@ import msgspec
 from bench.measure import cpu_s
 from bench.plot import Curve, Panel, plot
 from gen.scenario import render
-from judge.kit.command import run, whole_number
+from judge.kit.command import Parser, run, whole_number
 from judge.kit.files import FileError, write_whole
 from judge.kit.paths import BRUTE_FORCE, REFERENCE, ROOT, SUBMISSIONS
 from judge.kit.trusted import python_command
@@ -70,7 +70,7 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _options(arguments: Sequence[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m bench growth",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,

@@ -14,7 +14,7 @@ import subprocess
 import time
 from collections.abc import Callable, Sequence
 
-from judge.kit.command import run, whole_number
+from judge.kit.command import Parser, run, whole_number
 from judge.sandbox.facts import RunLimits
 from judge.sandbox.probe import walled_sandbox
 from judge.sandbox.sandbox import Command, Sandbox
@@ -29,7 +29,7 @@ def main(arguments: Sequence[str]) -> int:
     """Print the medians; return 0, or 2 when no wall works here."""
 
     def command() -> int:
-        parser = argparse.ArgumentParser(
+        parser = Parser(
             prog="python -m bench.overhead",
             description=__doc__,
             formatter_class=argparse.RawDescriptionHelpFormatter,

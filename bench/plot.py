@@ -8,7 +8,10 @@ from math import ceil, floor, log10
 
 import drawsvg
 
-FONT = "Helvetica, Arial, sans-serif"
+from pictures.explain.style import FONT
+from pictures.explain.view import write
+
+SIZE = 10.5  # of letters
 WIDTH, HEIGHT = 680, 330
 LEFT, TOP, BOTTOM = 46, 40, 62
 GAP = 52  # between two panels
@@ -62,10 +65,10 @@ def plot(panels: Sequence[Panel], title: str) -> str:
     for i, panel in enumerate(panels):
         axes = _Axes(panels, LEFT + i * (width + GAP), width)
         _grid(drawing, axes)
-        _text(drawing, panel.title, axes.left, TOP - 12, size=12)
+        write(drawing, panel.title, axes.left, TOP - 12, "text", size=12)
         for kind, curve in enumerate(panel.curves):
             _curve(drawing, axes, curve, kind)
-    _text(drawing, "CPU s", 4, TOP - 12)
+    write(drawing, "CPU s", 4, TOP - 12, "text", size=SIZE)
     text: str = drawing.as_svg(header="")
     return text + "\n"
 
@@ -75,11 +78,11 @@ def _grid(drawing: drawsvg.Drawing, axes: _Axes) -> None:
         x, _ = axes.place(10**power, 10 ** axes.y[0])
         drawing.append(drawsvg.Line(x, TOP, x, TOP + axes.height, class_="grid"))
         number = f"10{str(power).translate(_RAISED)}"
-        _text(drawing, number, x, TOP + axes.height + 15, anchor="middle")
+        write(drawing, number, x, TOP + axes.height + 15, "text", size=SIZE, anchor="middle")
     for power in range(axes.y[0], axes.y[1] + 1):
         _, y = axes.place(10 ** axes.x[0], 10**power)
         drawing.append(drawsvg.Line(axes.left, y, axes.left + axes.width, y, class_="grid"))
-        _text(drawing, f"{10**power:g}", axes.left - 5, y + 4, anchor="end")
+        write(drawing, f"{10**power:g}", axes.left - 5, y + 4, "text", size=SIZE, anchor="end")
 
 
 def _curve(drawing: drawsvg.Drawing, axes: _Axes, curve: Curve, kind: int) -> None:
@@ -90,7 +93,7 @@ def _curve(drawing: drawsvg.Drawing, axes: _Axes, curve: Curve, kind: int) -> No
     key_x, key_y = axes.left + kind * axes.width / 3, HEIGHT - 18.0
     for x, y in [*places, (key_x + 6, key_y - 4)]:
         drawing.append(drawsvg.Path(d=_marker(kind, x, y), class_=f"dot k{kind}"))
-    _text(drawing, curve.name, key_x + 15, key_y, size=10.5)
+    write(drawing, curve.name, key_x + 15, key_y, "text", size=SIZE)
 
 
 def _marker(kind: int, x: float, y: float) -> str:
@@ -99,20 +102,6 @@ def _marker(kind: int, x: float, y: float) -> str:
     if kind == 1:
         return f"M{x:.1f} {y - 5:.1f}l5 9h-10z"
     return f"M{x - 4.5:.1f} {y:.1f}a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0 -9 0z"
-
-
-def _text(
-    drawing: drawsvg.Drawing,
-    text: str,
-    x: float,
-    y: float,
-    *,
-    size: float = 10.5,
-    anchor: str = "start",
-) -> None:
-    drawing.append(
-        drawsvg.Text(text, size, round(x, 1), round(y, 1), text_anchor=anchor, class_="text")
-    )
 
 
 def _css() -> str:

@@ -19,7 +19,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from judge.judging import Options, judge
-from judge.kit.command import run, whole_number
+from judge.kit.command import Parser, run, whole_number
 from judge.kit.paths import SUBMISSIONS
 from judge.kit.processors import cores, processors
 from judge.languages.submission import Submission, read_submission
@@ -38,7 +38,7 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _options(arguments: Sequence[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m bench.fairness",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from explorer.page import build
 from explorer.scenes import gallery, samples
-from judge.kit.command import run
+from judge.kit.command import Parser, run
 from judge.kit.files import write_whole
 from judge.kit.paths import ROOT
 from judge.problem import declaration
@@ -32,7 +32,7 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _options(arguments: Sequence[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="python -m explorer", description=__doc__)
+    parser = Parser(prog="python -m explorer", description=__doc__)
     parser.add_argument("--check", action="store_true", help="only tell whether it is current")
     parser.add_argument("--output", type=Path, default=PAGE, help="the page (docs/explorer.html)")
     return parser.parse_args(arguments)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -10,7 +9,7 @@ from export.package import Package, load_package
 from export.targets import TARGETS
 from export.verify import cli as verify
 from export.write import ALL, chosen, write
-from judge.kit.command import run
+from judge.kit.command import Parser, run
 from judge.kit.paths import BUILD
 
 DONE = 0
@@ -27,7 +26,7 @@ def _command(arguments: Sequence[str]) -> int:
         return verify.command(arguments[1:])
     if arguments[:1] == [VERDICTS]:
         return verify.verdicts(arguments[1:])
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m export",
         description="Write packages that other judges import as they are. "
         "Other commands: python -m export verify, python -m export verdicts.",

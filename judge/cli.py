@@ -12,7 +12,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from judge.kit.command import FAILED, add_jobs, run, whole_number
+from judge.kit.command import FAILED, Parser, add_jobs, run, whole_number
 from judge.kit.errors import KitError
 from judge.kit.files import check_place, write_report
 from judge.kit.paths import DATA
@@ -220,7 +220,7 @@ def _submission(asked: argparse.Namespace) -> Submission:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="checker.py",
         description="Judge a submission: compile it, run it on every test case within the "
         "limits, compare its output with the answers.",

@@ -26,7 +26,7 @@ from judge.problem.manifest import Manifest
 from judge.problem.order import judging_order
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult, Judging, Scale, first_failure, group_results, not_run
-from judge.run import Attempts
+from judge.run import Attempts, declared_limits
 from judge.sandbox.facts import RunLimits
 from judge.sandbox.probe import NoWallError
 
@@ -250,9 +250,7 @@ class _TimeLimit:
         self.given = asked_s is not None
         self.declared_s = problem.limits.time_limit_s
         self.scale: Scale | None = None if self.given else kept_scale(problem)
-        self._base = RunLimits(
-            asked_s or self.declared_s, problem.limits.memory_mib, problem.limits.output_mib
-        )
+        self._base = declared_limits(problem.limits, asked_s)
 
     @property
     def limits(self) -> RunLimits:

@@ -25,8 +25,7 @@ from judge.problem.declaration import Problem
 from judge.problem.manifest import load_manifest
 from judge.problem.verdict import Verdict
 from judge.results import Scale
-from judge.run import run_case
-from judge.sandbox.facts import RunLimits
+from judge.run import declared_limits, run_case
 from judge.sandbox.sandbox import Sandbox
 
 KEPT = BUILD / "machine.json"
@@ -136,11 +135,7 @@ def reference_cpu_s(problem: Problem, sandbox: Sandbox, enough_s: float = 0.0) -
         reference = compile_submission(read_submission(REFERENCE), problem.limits, sandbox)
     except CompileError as error:
         raise MachineError(f"the reference does not compile: {error}") from None
-    limits = RunLimits(
-        problem.calibration.reference_cpu_s * LIMIT_FACTOR,
-        problem.limits.memory_mib,
-        problem.limits.output_mib,
-    )
+    limits = declared_limits(problem.limits, problem.calibration.reference_cpu_s * LIMIT_FACTOR)
     times_s: list[float] = []
     while len(times_s) < MOST_RUNS:
         result = run_case(sandbox, reference, limits, case)

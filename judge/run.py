@@ -11,6 +11,7 @@ from judge.compare import compare
 from judge.decide import Judgement, decide
 from judge.languages.submission import Program
 from judge.problem.cases import Case
+from judge.problem.declaration import Limits
 from judge.problem.verdict import Verdict
 from judge.results import CaseResult
 from judge.sandbox.facts import Facts, RunLimits
@@ -28,6 +29,11 @@ class Attempt:
 
 # Runs a program on the texts of input files, and yields the runs in order.
 Attempts = Callable[[Iterable[bytes], RunLimits], Iterator[Attempt]]
+
+
+def declared_limits(limits: Limits, time_limit_s: float | None = None) -> RunLimits:
+    """Return the declared limits of a run; time_limit_s: instead of the declared one."""
+    return RunLimits(time_limit_s or limits.time_limit_s, limits.memory_mib, limits.output_mib)
 
 
 def run_input(sandbox: Sandbox, program: Program, limits: RunLimits, content: bytes) -> Attempt:

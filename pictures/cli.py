@@ -6,8 +6,8 @@ import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
-from judge.kit.command import run
-from judge.kit.files import check_place, write_report, write_whole
+from judge.kit.command import Parser, run
+from judge.kit.files import FileError, check_place, write_report, write_whole
 from judge.kit.paths import DATA, ROOT
 from pictures.draw import picture
 from pictures.explain import explain_picture
@@ -31,7 +31,7 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _options(arguments: Sequence[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="python -m pictures", description=__doc__)
+    parser = Parser(prog="python -m pictures", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     figures = commands.add_parser(
         "figures", help="draw the figures of the statement and the lesson"
@@ -86,6 +86,11 @@ def show_scenario(file: Path, number: int, output: Path | None) -> int:
     Raises ReadError, FileError.
     """
     check_place("--output", output)
+    if output is not None and output.suffix not in ("", ".svg"):
+        raise FileError(
+            f"--output {output}: expected a name that ends with .svg, found {output.suffix}: "
+            "only SVG is written"
+        )
     scenarios = read_scenarios(file)
     if not 1 <= number <= len(scenarios):
         raise ReadError(f"{file}: there is no scenario {number}, expected 1 to {len(scenarios)}")

@@ -11,7 +11,7 @@ from gen.geometry import Point, Polygon, sweep, translated
 from pictures.explain.difference import draw_edges
 from pictures.explain.scene import arrow, mark
 from pictures.explain.style import FONT, css
-from pictures.explain.view import Area, View, axes, frame, framing
+from pictures.explain.view import Area, View, axes, frame, framing, write
 from pictures.minkowski import Edge, Source, angle, merged, reflected
 
 WIDTH = 680
@@ -110,7 +110,7 @@ def _fan(edges: Sequence[Edge]) -> Draw:
             arrow(group, view.place(0, 0), view.place(x, y), look, f"{look}-head")
             part = 1 + Fraction(5, 12) / max(abs(x), abs(y))
             px, py = view.place(x * part, y * part)
-            _text(group, str(i), px, py + 4, "text", anchor="middle")
+            write(group, str(i), px, py + 4, "text", anchor="middle")
 
     return draw
 
@@ -176,23 +176,8 @@ def _figure(title: str, panels: Sequence[Panel], box: tuple[int, int, int, int])
         axes(view, group)
         draw(view, group)
         frame(view, group)
-        _text(group, heading, x, y - 8, "text", size=12.5)
-        _text(group, below, x, y + PANEL_HEIGHT + 30, "faint")
+        write(group, heading, x, y - 8, "text", size=12.5)
+        write(group, below, x, y + PANEL_HEIGHT + 30, "faint")
         drawing.append(group)
     text: str = drawing.as_svg(header="")
     return text + "\n"
-
-
-def _text(
-    group: drawsvg.Group,
-    text: str,
-    x: float,
-    y: float,
-    look: str,
-    *,
-    size: float = 11,
-    anchor: str = "start",
-) -> None:
-    group.append(
-        drawsvg.Text(text, size, round(x, 1), round(y, 1), class_=look, text_anchor=anchor)
-    )

@@ -6,8 +6,7 @@ from fractions import Fraction
 
 from gen.geometry import Polygon
 from pictures.cut import cut
-
-ExactPoint = tuple[Fraction, Fraction]
+from pictures.exact.meeting import ExactPoint
 
 
 def overlap(p: Polygon, q: Polygon) -> list[ExactPoint]:

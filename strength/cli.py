@@ -6,12 +6,11 @@ room of its own, `strength.mutants`.
 
 from __future__ import annotations
 
-import argparse
 import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from judge.kit.command import add_jobs, run
+from judge.kit.command import Parser, add_jobs, run
 from judge.kit.console import PlainConsole
 from judge.kit.files import check_place, write_report
 from judge.kit.processors import processors
@@ -50,7 +49,7 @@ def main(arguments: Sequence[str]) -> int:
 
 def _matrix_command(arguments: Sequence[str]) -> int:
     """Return 0 if all submissions are judged as declared, else 1. Raises KitError, OSError."""
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m strength",
         description="Judge every declared submission on every test case, and tell what the "
         "cases are good for. In a group, nothing is run after a first TLE. Verdicts are kept, "

@@ -14,8 +14,7 @@ from judge.problem.cases import Case
 from judge.problem.data import Data
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
-from judge.run import run_case
-from judge.sandbox.facts import RunLimits
+from judge.run import declared_limits, run_case
 from judge.sandbox.sandbox import Sandbox
 
 
@@ -81,8 +80,7 @@ class _Judge:
     def __init__(
         self, name: str, data: Data, problem: Problem, scale: float, sandbox: Sandbox, store: Store
     ) -> None:
-        declared = problem.limits
-        limits = RunLimits(declared.time_limit_s, declared.memory_mib, declared.output_mib)
+        limits = declared_limits(problem.limits)
         self._name = name
         self._submission = read_submission(SUBMISSIONS / name)
         self._cases = data.chosen

@@ -17,7 +17,7 @@ from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
-from judge.kit.command import add_jobs, run, whole_number
+from judge.kit.command import Parser, add_jobs, run, whole_number
 from judge.kit.paths import REFERENCE
 from judge.kit.processors import processors
 from judge.kit.progress import progress_bar
@@ -66,7 +66,7 @@ def _search_command(arguments: Sequence[str]) -> int:
 
 
 def _options(arguments: Sequence[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m stress",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,

@@ -7,10 +7,15 @@ import signal
 import sys
 
 import pytest
+from xdist.remote import Producer
+from xdist.scheduler import LoadScopeScheduling
 
 from judge.kit.processors import processors
 
 from .compiled import Compiled
+
+# These tests run in one process, so that the browser starts, and programs are compiled, only once.
+TOGETHER = ("tests/explorer/", "tests/stress/test_complete.py")
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -41,6 +46,17 @@ def keep_bytecode() -> None:
     """
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     sys.dont_write_bytecode = False
+
+
+class Together(LoadScopeScheduling):
+    """Any idle process gets the next test; but the tests of each part of TOGETHER stay together."""
+
+    def _split_scope(self, nodeid: str) -> str:
+        return next((part for part in TOGETHER if nodeid.startswith(part)), nodeid)
+
+
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> Together:
+    return Together(config, log)
 
 
 def pytest_xdist_auto_num_workers() -> int:

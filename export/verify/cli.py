@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import argparse
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from export.package import load_package
-from export.verify import classroom, gradescope, kattis, plain
+from export.verify import classroom, cms, gradescope, kattis, plain, polygon
 from export.verify import verdicts as table
 from export.verify.job import Job
 from export.write import chosen, write
-from judge.kit.command import add_jobs
+from judge.kit.command import Parser, add_jobs
 from judge.kit.paths import BUILD
 from judge.kit.processors import processors
 from judge.kit.progress import progress_bar
@@ -22,16 +21,18 @@ VERIFIED = 0
 VERIFIERS: Mapping[str, Callable[[Job], list[str]]] = {
     "bapctools": kattis.verify_bapctools,
     "classroom": classroom.verify,
+    "cms": cms.verify,
     "gradescope": gradescope.verify,
     "kattis": kattis.verify_legacy,
     "kattis-pass-fail": kattis.verify_legacy,
     "plain": plain.verify,
+    "polygon": polygon.verify,
 }
 
 
 def verdicts(arguments: Sequence[str]) -> int:
     """Write docs/verdicts.md; return 0 if every submission has the same verdict everywhere."""
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m export verdicts",
         description="Judge every submission here and with the judges' own tools, and write the "
         "table of verdicts, docs/verdicts.md. Takes the better part of an hour on an idle machine.",
@@ -44,7 +45,7 @@ def verdicts(arguments: Sequence[str]) -> int:
 
 def command(arguments: Sequence[str]) -> int:
     """Write each package anew, and verify it; return 0. Raises VerifyError at the first fault."""
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m export verify",
         description="Write packages, and let the judges' own tools read them back.",
     )

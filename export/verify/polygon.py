@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-import zipfile
-from collections.abc import Iterator
-from dataclasses import dataclass
+import sys
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from xml.etree.ElementTree import Element, parse
 
 import yaml
 
 from export.verify.inputs import spoiled_inputs, valid
+from export.verify.job import Job, VerifyError, run_tool
 from export.verify.outputs import accepted, random_outputs
 from export.verify.testlib import OK as CHECKER_OK
-from export.verify.testlib import Checker, Validator, VerifyError, compile_with, find_testlib
+from export.verify.testlib import Checker, Validator, compile_with, find_testlib
+from gen.scenario import parse as parse_input
+from gen.scenario import render
 from judge.kit.trusted import run_trusted
 
 SEED = 12
 QUICK_COUNT, COUNT = 300, 5000  # random files, and random outputs
 QUICK_BYTES = 1 << 20  # larger tests take seconds each
-SMALL_BYTES = 3000  # of a test that is spoiled
+# Files to spoil are made of a few small scenarios of each test that is not too large.
+SOURCE_BYTES, SOURCE_SCENARIOS, SOURCE_VERTICES = 100_000, 3, 40
 MIB = 1 << 20
 VERDICTS = {"ok": True, "wrong-answer": False}
 IMPORT = """
@@ -30,44 +33,25 @@ asyncio.run(PolygonImporter(main_language=None).import_package(package, into))
 """
 
 
-@dataclass(frozen=True, slots=True)
-class Report:
-    """How many agreements were seen; any disagreement is an error.
-
-    tests: of the package. faults: its invalid files. files, outputs: random ones, `valid_files`
-    and `right_outputs` of which were accepted by both. imported: tests that rbx read.
-    """
-
-    tests: int
-    faults: int
-    checker_tests: int
-    files: int
-    valid_files: int
-    outputs: int
-    right_outputs: int
-    imported: int
-
-
-def verify(archive: Path, scratch: Path, python: Path, *, quick: bool) -> Report:
+def verify(job: Job) -> list[str]:
     """Compare the programs of a package with the kit's own, and let rbx import it.
 
-    scratch: an empty directory. python: of an environment with rbx-cp. quick: fewer random
-    files, and no large tests. Raises VerifyError at the first difference, ProgramError.
+    quick: fewer random files, and no large tests. Raises VerifyError at the first difference.
     """
-    package = scratch / "package"
-    with zipfile.ZipFile(archive) as files:
-        files.extractall(package)
+    package = job.unpack()
     root = parse(package / "problem.xml").getroot()
     assets, testset = _child(root, "assets"), _child(root, "judging/testset")
     checked, validated = _child(assets, "checker"), _child(assets, "validators/validator")
-    testlib = find_testlib(python)
-    validator = Validator(compile_with(testlib, package / _source(validated), scratch / "val"))
-    checker = Checker(compile_with(testlib, package / _source(checked), scratch / "chk"), scratch)
+    work = job.scratch / "work"
+    work.mkdir()
+    testlib = find_testlib(job.python)
+    validator = Validator(compile_with(testlib, package / _source(validated), work / "validator"))
+    checker = Checker(compile_with(testlib, package / _source(checked), work / "checker"), work)
 
     tests = [
         (test, paths)
         for test, paths in _tests(testset, package)
-        if not quick or paths["input"].stat().st_size <= QUICK_BYTES
+        if not job.quick or paths["input"].stat().st_size <= QUICK_BYTES
     ]
     for test, paths in tests:
         _same(validator, paths["input"], test.get("group"), True)
@@ -80,20 +64,34 @@ def verify(archive: Path, scratch: Path, python: Path, *, quick: bool) -> Report
     for test, paths in checker_tests:
         _same_verdict(checker, paths, VERDICTS[test.get("verdict", "")])
 
-    count = QUICK_COUNT if quick else COUNT
+    count = QUICK_COUNT if job.quick else COUNT
     groups = sorted({test.get("group", "") for test, _ in tests})
-    inputs = [paths["input"] for _, paths in tests]
-    small = [path.read_bytes() for path in inputs if path.stat().st_size <= SMALL_BYTES]
-    return Report(
-        tests=len(tests),
-        faults=sum(test.get("verdict") == "invalid" for test, _ in validator_tests),
-        checker_tests=len(checker_tests),
-        files=count,
-        valid_files=_spoiled(validator, small, [None, *groups], count, scratch),
-        outputs=count,
-        right_outputs=_random(checker, count),
-        imported=_imported(python, package, scratch / "rbx", testset),
-    )
+    small = _small(paths["input"] for _, paths in tests)
+    faults = sum(test.get("verdict") == "invalid" for test, _ in validator_tests)
+    valid_files = _spoiled(validator, small, [None, *groups], count, work)
+    right = _random(checker, count)
+    return [
+        f"generator: {_generated(tests, package)} large tests, byte for byte",
+        f"testlib validator: agrees on {len(tests)} tests, {faults} invalid files, "
+        f"{count:,} spoiled files ({valid_files:,} of them valid)",
+        f"testlib checker: agrees on {len(checker_tests)} pairs by hand, "
+        f"{count:,} random ones ({right:,} of them right)",
+        f"rbx: imported {_imported(job.python, package, work / 'rbx', testset)} tests",
+    ]
+
+
+def _generated(tests: Sequence[tuple[Element, dict[str, Path]]], package: Path) -> int:
+    """Make every generated test again; return how many. Raises VerifyError for other bytes."""
+    count = 0
+    for test, paths in tests:
+        if test.get("method") == "generated":
+            name, *arguments = test.get("cmd", "").split()
+            program = package / "files" / f"{name}.py"
+            made = run_trusted(name, (sys.executable, "-I", str(program), *arguments))
+            if made != paths["input"].read_bytes():
+                raise VerifyError(f"{paths['input']}: {test.get('cmd')} writes other bytes")
+            count += 1
+    return count
 
 
 def _same(validator: Validator, path: Path, group: str | None, expected: bool) -> None:
@@ -111,6 +109,17 @@ def _same_verdict(checker: Checker, paths: dict[str, Path], expected: bool) -> N
     verdicts = (checker.accepts(output, answer), accepted(output, answer))
     if verdicts != (expected, expected):
         raise VerifyError(f"{paths['output']}: expected {expected}; checker and kit say {verdicts}")
+
+
+def _small(paths: Iterable[Path]) -> list[bytes]:
+    """Return small valid files, at most one for each test."""
+    found = []
+    for path in paths:
+        if path.stat().st_size <= SOURCE_BYTES:
+            scenes = [s for s in parse_input(path.read_bytes()) if s.vertices <= SOURCE_VERTICES]
+            if scenes:
+                found.append(render(scenes[:SOURCE_SCENARIOS]))
+    return found
 
 
 def _spoiled(
@@ -149,7 +158,7 @@ def _random(checker: Checker, count: int) -> int:
 def _imported(python: Path, package: Path, into: Path, testset: Element) -> int:
     """Let rbx import the package; return how many tests it read. Raises VerifyError."""
     into.mkdir()
-    run_trusted("rbx", (str(python), "-c", IMPORT, str(package), str(into)))
+    run_tool((python, "-c", IMPORT, package, into), into)
     found = yaml.safe_load((into / "problem.rbx.yml").read_text(encoding="utf-8"))
     facts = {
         "timeLimit": found["timeLimit"],

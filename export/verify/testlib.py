@@ -8,9 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from shutil import which
 
-from judge.kit.errors import KitError
+from export.verify.job import VerifyError, need
 from judge.kit.trusted import run_to_end, run_trusted
 
 RESOURCES = "import importlib.util as u; print(u.find_spec('rbx').submodule_search_locations[0])"
@@ -18,26 +17,20 @@ TESTLIB = Path("resources", "predownloaded", "testlib.h")
 OK, WRONG, BAD_FORMAT, FAIL = 0, 1, 2, 3  # testlib's exit statuses
 
 
-class VerifyError(KitError):
-    """A package is not what its judge's tools expect, or a tool is missing."""
-
-
 def find_testlib(python: Path) -> Path:
     """Return the directory of testlib.h in the environment of a Python. Raises VerifyError."""
     run = run_to_end("testlib", (str(python), "-c", RESOURCES))
     path = Path(run.stdout.decode().strip()) / TESTLIB
     if run.returncode or not path.is_file():
-        raise VerifyError(f"{python}: expected the package rbx-cp there; 'pip install rbx-cp'")
+        raise VerifyError(f"{python}: rbx-cp is missing; run 'python3 tools/setup.py --judges'")
     return path.parent
 
 
 def compile_with(testlib: Path, source: Path, program: Path) -> Path:
     """Compile a C++ program for testlib and return it. Raises VerifyError, ProgramError."""
-    compiler = which("g++")
-    if compiler is None:
-        raise VerifyError("g++ is missing; install the system's C++ compiler")
+    need("g++", "g++")
     options = ("-std=gnu++20", "-O2", f"-I{testlib}", "-o", str(program))
-    run_trusted(f"g++ {source.name}", (compiler, *options, str(source)))
+    run_trusted(f"g++ {source.name}", ("g++", *options, str(source)))
     return program
 
 

@@ -15,7 +15,7 @@ from rich.table import Table
 
 from judge.calibrate.margins import Margins, Time, margins, measure
 from judge.judging import JudgeError
-from judge.kit.command import run
+from judge.kit.command import Parser, run
 from judge.kit.console import PlainConsole
 from judge.kit.files import write_whole
 from judge.kit.paths import PROBLEM_FILE
@@ -41,7 +41,7 @@ def written(text: str, limit_s: float, reference_s: float) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; return 0 when a limit fits, 1 when none does, 2 on an error."""
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m judge.calibrate", description="Measure the margins of the time limit."
     )
     parser.add_argument("--write", action="store_true", help="write the figures to problem.toml")

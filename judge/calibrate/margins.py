@@ -19,8 +19,7 @@ from judge.languages.submission import compile_submission, read_submission
 from judge.problem.cases import Case
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
-from judge.run import run_case
-from judge.sandbox.facts import RunLimits
+from judge.run import declared_limits, run_case
 from judge.sandbox.sandbox import Sandbox
 
 BOUND_FACTOR = 2.0
@@ -85,7 +84,7 @@ def measure(
     path = SUBMISSIONS / name
     program = compile_submission(read_submission(path), problem.limits, sandbox)
     over_s = problem.limits.time_limit_s * problem.limits.time_multipliers.time_limit_to_tle
-    limits = RunLimits(over_s * BOUND_FACTOR, problem.limits.memory_mib, problem.limits.output_mib)
+    limits = declared_limits(problem.limits, over_s * BOUND_FACTOR)
     times = []
     for group in problem.group_names:
         expected = problem.expected(name, group)

@@ -6,12 +6,12 @@ import argparse
 import io
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TextIO
 
 from judge.kit.errors import KitError
-from judge.kit.text import printable_name
+from judge.kit.text import did_you_mean, printable_name
 
 MESSAGE_CHARS = 2000
 READER_GONE, FAILED, INTERRUPTED = 1, 2, 130
@@ -81,6 +81,29 @@ def complain(line: str) -> None:
 def give_up(stream: TextIO) -> None:
     """Redirect a broken stream to /dev/null, so that its flush at exit succeeds."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+class Parser(argparse.ArgumentParser):
+    """The parser of every command line of the kit: of a mistyped option it names the nearest."""
+
+    def parse_args(  # type: ignore[override] # the kit needs no other namespace
+        self, args: Sequence[str] | None = None, namespace: None = None
+    ) -> argparse.Namespace:
+        """Return the options. Exits with status 2 if there are unknown ones."""
+        found, unknown = self.parse_known_args(args, namespace)
+        if unknown:
+            word = unknown[0].partition("=")[0]
+            near = did_you_mean(word, self._options()) if word.startswith("-") else ""
+            self.error(f"unrecognized arguments: {' '.join(unknown)}{near}")
+        return found
+
+    def _options(self) -> Iterator[str]:
+        """Yield all options, also those of the commands of a command."""
+        for action in self._actions:
+            yield from action.option_strings
+            if isinstance(action, argparse._SubParsersAction):
+                for parser in action.choices.values():
+                    yield from parser._options()
 
 
 def whole_number(least: int, most: int | None = None) -> Callable[[str], int]:

@@ -7,6 +7,7 @@ import re
 from judge.kit.text import printable_lines
 from judge.languages.table import Language
 
+COMPILER_LINES = 12  # so many are shown, as by printable_lines
 MOST_LINES = 1000
 WIDTH = 200
 # What the words of a runtime mean. The first that is found is told.
@@ -60,3 +61,10 @@ def shown_stderr(stderr: bytes, source: str, name: str) -> str:
         rb"[^\s\"'(:]*/" + re.escape(source).encode(), lambda _found: name.encode(), stderr
     )
     return printable_lines(text, lines=MOST_LINES)
+
+
+def compiler_lines(said: bytes) -> str:
+    """Return what a compiler says, as printable lines: of a long text, from the first error on."""
+    lines = said.splitlines(keepends=True)
+    first = next((i for i, line in enumerate(lines) if re.search(rb"(?i)\berror\b", line)), 0)
+    return printable_lines(said if len(lines) <= COMPILER_LINES else b"".join(lines[first:]))

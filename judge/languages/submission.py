@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import IO
 
 from judge.kit.errors import KitError
-from judge.kit.text import printable_lines, printable_name
-from judge.languages.crash import crash_reason, shown_stderr
+from judge.kit.text import printable_name
+from judge.languages.crash import compiler_lines, crash_reason, shown_stderr
 from judge.languages.guess import guess
 from judge.languages.java import java_names
 from judge.languages.table import LANGUAGES, Language, by_suffix
@@ -167,7 +167,7 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
         stdout=printed,
         compiling=True,
     )
-    said = printable_lines(facts.stderr or printed.read_bytes()[:8192])
+    said = compiler_lines(facts.stderr or printed.read_bytes()[:8192])
     said = said.replace(f"{inside}/", "")
     if facts.stopped is not None:
         limit = {

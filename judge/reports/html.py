@@ -43,6 +43,7 @@ def to_html(judging: Judging) -> bytes:
         as_image=_as_image,
         slow_title=TITLE,
         slow=[] if judging.slowness is None else slow_sentences(judging.slowness),
+        first_of=words.first_of,
         meaning=MEANING,
         share=share,
         note_of=_note,

@@ -8,7 +8,7 @@ from urllib.parse import quote
 
 from judge.explanation import Counterexample, Diagnosis
 from judge.kit.paths import EXPLORER, ROOT
-from judge.kit.text import counted, printable_name
+from judge.kit.text import ELLIPSIS, counted, printable_name
 from judge.machine import UNCALIBRATED
 from judge.problem.scenarios import scenario_lines
 from judge.problem.verdict import Verdict
@@ -17,6 +17,7 @@ from judge.results import CaseResult, GroupResult, Judging
 PICTURES = ROOT / "pictures"
 ANSWERS = ("YES", "NO")
 SHORT_LINES = 12  # a scenario of so many lines is shown itself
+FOUND_CHARS = 80  # of what was found instead of the answer
 LAST_LINES = 6  # of standard error
 
 
@@ -91,6 +92,12 @@ def like_sentence(diagnosis: Diagnosis) -> str:
         return ""
     bug = printable_name(diagnosis.like.bug)
     return f"it answers every gallery scene exactly like a program that {bug}"
+
+
+def first_of(found: str) -> str:
+    """Return the beginning of what a program printed or how it crashed, to be shown large."""
+    line = found.partition("\n")[0]
+    return line if len(line) <= FOUND_CHARS else f"{line[:FOUND_CHARS]}{ELLIPSIS}"
 
 
 def size_of(example: Counterexample) -> str:

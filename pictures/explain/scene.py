@@ -13,7 +13,7 @@ from gen.scenario import Box
 from judge.kit.text import counted
 from pictures.explain.matter import Matter
 from pictures.explain.thin import thinned
-from pictures.explain.view import Area, Place, View, axes, clipped, frame, framing
+from pictures.explain.view import Area, Number, Place, View, axes, clipped, frame, framing
 from pictures.moment import Contact
 
 CORNERS_MAX = 4000  # of all obstacles but the one that decides
@@ -200,7 +200,14 @@ def _mark(matter: Matter, view: View, group: drawsvg.Group) -> None:
     mark(view, group, *ends, hit=isinstance(matter.moment, Contact))
 
 
-def mark(view: View, group: drawsvg.Group, mine: tuple, its: tuple, *, hit: bool) -> None:  # type: ignore[type-arg]
+def mark(
+    view: View,
+    group: drawsvg.Group,
+    mine: tuple[Number, Number],
+    its: tuple[Number, Number],
+    *,
+    hit: bool,
+) -> None:
     """Mark two points and what is between them; with `hit`, they are one."""
     x, y = view.place(*its)
     if hit:

@@ -157,11 +157,27 @@ def axes(
         px = view.place(x, view.bottom)[0]
         text = _label(x - origin[0], step)
         if area.left + 6 <= px <= area.left + area.width + 8 - 2.9 * len(text):
-            _number(group, text, px, area.top + area.height + 13, "middle")
+            write(
+                group,
+                text,
+                px,
+                area.top + area.height + 13,
+                "faint",
+                size=LABEL_PX,
+                anchor="middle",
+            )
     for y in _multiples(view.bottom, view.top, tall, origin[1]):
         py = view.place(view.left, y)[1]
         if area.top + 4 <= py <= area.top + area.height - 2:
-            _number(group, _label(y - origin[1], tall), area.left - 5, py + 3.5, "end")
+            write(
+                group,
+                _label(y - origin[1], tall),
+                area.left - 5,
+                py + 3.5,
+                "faint",
+                size=LABEL_PX,
+                anchor="end",
+            )
 
 
 def frame(view: View, group: drawsvg.Group) -> None:
@@ -184,7 +200,17 @@ def _label(value: Number, step: Fraction) -> str:
     return f"{float(value):.6g}".replace("-", "−").replace("e−0", "e−")
 
 
-def _number(group: drawsvg.Group, text: str, x: float, y: float, anchor: str) -> None:
+def write(
+    group: drawsvg.DrawingParentElement,
+    text: str,
+    x: float,
+    y: float,
+    look: str,
+    *,
+    size: float = 11,
+    anchor: str = "start",
+) -> None:
+    """Write a line of text at a pixel."""
     group.append(
-        drawsvg.Text(text, LABEL_PX, round(x, 1), round(y, 1), text_anchor=anchor, class_="faint")
+        drawsvg.Text(text, size, round(x, 1), round(y, 1), class_=look, text_anchor=anchor)
     )

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
 from gen.scenario import render
 from judge.diagnosis.asking import Answers
 from judge.diagnosis.gallery import GALLERY, Gallery, Scene, load_gallery, load_lessons
-from judge.kit.command import add_jobs
+from judge.kit.command import Parser, add_jobs
 from judge.kit.paths import REFERENCE
 from judge.kit.processors import processors
 from judge.kit.progress import progress_bar
@@ -29,7 +28,7 @@ BATCH = 5_000  # scenarios in a file
 
 def command(arguments: Sequence[str]) -> int:
     """Return 0 if every wrong submission fails enough scenes, else 1. Raises KitError, OSError."""
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m strength gallery",
         description="Ask every wrong submission for its answers to the gallery, keep them in "
         "data/gallery/answers.json, and tell how often the first lesson named is the true one, "

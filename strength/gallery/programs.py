@@ -13,7 +13,7 @@ from judge.kit.paths import SUBMISSIONS
 from judge.languages.submission import Program, compile_submission, read_submission
 from judge.problem.declaration import Problem
 from judge.problem.verdict import Verdict
-from judge.run import Attempt, run_input
+from judge.run import Attempt, declared_limits, run_input
 from judge.sandbox.facts import RunLimits
 from judge.sandbox.sandbox import Sandbox
 
@@ -63,12 +63,11 @@ def each(
     work: Callable[[Faulty], object],
 ) -> None:
     """Do some work with each submission, `jobs` at a time. Raises what the work raises."""
-    declared = problem.limits
-    limits = RunLimits(declared.time_limit_s, declared.memory_mib, declared.output_mib)
+    limits = declared_limits(problem.limits)
 
     def one(name: str) -> None:
         submission = read_submission(SUBMISSIONS / name)
-        program = compile_submission(submission, declared, sandbox)
+        program = compile_submission(submission, problem.limits, sandbox)
         work(Faulty(name, program, sandbox, limits))
 
     with ThreadPoolExecutor(jobs) as pool:

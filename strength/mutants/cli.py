@@ -13,7 +13,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from judge.kit.command import add_jobs, whole_number
+from judge.kit.command import Parser, add_jobs, whole_number
 from judge.kit.console import PlainConsole
 from judge.kit.files import check_place, write_report
 from judge.kit.paths import DATA
@@ -40,7 +40,7 @@ HEADINGS = ("program", "mutants", "WA", "RTE", "TLE", "light", "heavy", "equival
 
 def command(arguments: Sequence[str]) -> int:
     """Return 0 if every mutant is killed or proved equivalent, else 1. Raises KitError, OSError."""
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m strength mutants",
         description="Change the right programs in small ways, and see that the data notices. "
         "A mutant that survives must be listed in strength/equivalent.toml, with a proof.",

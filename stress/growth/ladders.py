@@ -20,7 +20,7 @@ from gen.rng import Rng, derive
 from gen.scenario import LIMIT, Scenario, bounds, moved
 from gen.shapes.convex import near_circle
 
-FEW = 5  # obstacles: some methods are done with one obstacle early, by chance
+FEW = 20  # obstacles: with a single one, some methods are done early, by chance
 REPEAT = 1  # of the seed: equal sizes, equal inputs
 TRIES = 100
 LONG_MOVE = 120_000_000, 40_000_000  # across most of the world
@@ -81,15 +81,15 @@ def _far_pair(size: int) -> list[Scenario]:
 LADDERS = (
     Ladder(
         "robot",
-        "the number of robot vertices (with five obstacles, triangles)",
+        "the number of robot vertices (with twenty obstacles, triangles)",
         _family("hugging", lambda size: {"m": size, "obstacles": FEW}),
         *(256, 100_000),
     ),
     Ladder(
         "obstacle",
-        "the number of vertices of each obstacle (five of them, and the robot is a triangle)",
+        "the number of vertices of each obstacle (twenty of them, and the robot is a triangle)",
         _family("hugging", lambda size: {"m": 3, "obstacles": FEW, "n": size}),
-        *(256, 40_000),
+        *(64, 10_000),
     ),
     Ladder(
         "obstacles",

@@ -16,7 +16,7 @@ from stress.running.clock import Clock
 
 Say = Callable[[str], None]
 
-ELAPSED_S = 12.0  # for all ladders; a run that has begun then may end
+ELAPSED_S = 11.0  # for all ladders; a run that has begun then may end
 RUN_S = 2.0  # CPU seconds of one run
 STEPS = ((0.004, 8), (0.02, 4), (inf, 2))  # up to so many seconds, the next N is so many times
 CLEAR_S = 0.04  # times from here on count for the fit, as start and chance matter less

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from judge.judging import wait_until_ready
-from judge.kit.command import add_jobs, whole_number
+from judge.kit.command import Parser, add_jobs, complain, whole_number
 from judge.kit.console import PlainConsole
 from judge.kit.processors import cores
 from judge.kit.progress import progress_bar
@@ -16,7 +16,7 @@ from judge.languages.table import by_name
 from judge.pool import Job, Pool
 from judge.problem.declaration import load
 from judge.reports.explained import print_counterexample
-from judge.sandbox.facts import RunLimits
+from judge.run import declared_limits
 from stress.running.trial import Subject
 from stress.search.search import DRAWING_S, Result, search
 from stress.search.session import new_seed, with_addition
@@ -31,12 +31,10 @@ def command(arguments: Sequence[str]) -> int:
     language = None if asked.language is None else by_name(asked.language)
     submission = read_submission(Path(asked.program), language)
     seed = new_seed() if asked.seed is None else asked.seed
-    limits = problem.limits
-    run_limits = RunLimits(limits.time_limit_s, limits.memory_mib, limits.output_mib)
     job = Job(submission, problem, without_wall=asked.no_wall, keepers=asked.jobs)
     with progress_bar(f"compiling {submission.name}") as bar, Pool(job, asked.jobs) as pool:
         _compile(pool, submission)
-        subject = Subject(pool.attempts, run_limits)
+        subject = Subject(pool.attempts, declared_limits(problem.limits))
         result = search(subject, (), seed=seed, drawing_s=asked.seconds, say=bar.say)
     return _tell(result, seed, asked)
 
@@ -45,8 +43,9 @@ def _compile(pool: Pool, submission: Submission) -> None:
     """Wait until it is compiled. Raises JudgeError where no wall works, CompileError."""
     ready = wait_until_ready(pool, pool.prepare(), submission)
     if ready.compile_error:
-        first_line = ready.compile_error.partition("\n")[0]
-        raise CompileError(f"{submission.name}: does not compile: {first_line}")
+        for line in ready.compile_error.splitlines():
+            complain(line)
+        raise CompileError(f"{submission.name}: does not compile")
 
 
 def _tell(result: Result, seed: int, asked: argparse.Namespace) -> int:
@@ -64,7 +63,7 @@ def _tell(result: Result, seed: int, asked: argparse.Namespace) -> int:
 
 
 def _options(arguments: Sequence[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m stress",
         description="Draw scenarios until the program gets one wrong; shrink that one. "
         "Exit status: 0 nothing found, 1 found, 2 failed.",

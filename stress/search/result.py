@@ -28,7 +28,9 @@ def counterexample(
     content = render(trial.scenarios)
     expected = agreed(content, trial.scenarios).decode().split()
     answer, scenario = expected[trial.index], trial.scenarios[trial.index]
-    picture = explain_picture(scenario, answer=answer, found=found)
+    which = f"scenario {trial.index + 1} of {len(expected)}" if expected[1:] else ""
+    picture = explain_picture(scenario, answer=answer, found=found, title=which)
+    why = sentence(scenario)
     file = keep(content, picture, f"shrunk-{hashlib.sha256(content).hexdigest()[:12]}")
     return Counterexample(
         input=content.decode(),
@@ -37,7 +39,7 @@ def counterexample(
         scenarios=len(trial.scenarios),
         obstacles=len(scenario.obstacles),
         vertices=scenario.vertices,
-        sentence=sentence(scenario),
+        sentence=f"{which.capitalize()}: {why}" if which else why,
         picture=picture,
         file=file,
         seconds=seconds,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,7 +10,7 @@ from statistics import median
 from gen.scenario import parse
 from judge.explanation import Counterexample
 from judge.judging import Events, Options, judge
-from judge.kit.command import add_jobs, whole_number
+from judge.kit.command import Parser, add_jobs, whole_number
 from judge.kit.files import check_place, write_report
 from judge.kit.paths import ROOT, SUBMISSIONS
 from judge.kit.processors import cores
@@ -68,7 +67,7 @@ class Row:
 
 def command(arguments: Sequence[str]) -> int:
     """Judge all wrong submissions, search, and write the table. Returns 0. Raises KitError."""
-    parser = argparse.ArgumentParser(prog="python -m stress table", description=__doc__)
+    parser = Parser(prog="python -m stress table", description=__doc__)
     add = parser.add_argument
     add("submission", nargs="*", help="path below submissions/ (default: all that are wrong)")
     add("--seed", type=whole_number(0), default=1, metavar="N", help="of the search (default 1)")
@@ -103,9 +102,12 @@ def rows_of(names: Sequence[str], problem: Problem, seed: int, jobs: int) -> Ite
 
 
 def _judged(path: Path, problem: Problem, seed: int, jobs: int) -> Judging:
-    """Judge a submission until a group fails, then search."""
+    """Judge a submission until a group fails, then search. Groups that it passes are left out."""
+    name = path.relative_to(SUBMISSIONS).as_posix()
     judging: Judging | None = None
     for group in problem.group_names:
+        if problem.expected(name, group) == {Verdict.AC}:
+            continue
         options = Options(groups=(group,), jobs=jobs, stop_on_first=True)
         search = make_search(seed, add=False)
         judging = judge(read_submission(path), problem, options, events=Events(), search=search)

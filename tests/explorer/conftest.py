@@ -10,14 +10,6 @@ import pytest
 from explorer.cli import PAGE
 
 
-@pytest.hookimpl(tryfirst=True)  # before the marks are read
-def pytest_collection_modifyitems(items):
-    """One worker has all tests of the page, and so starts the only browser."""
-    for item in items:
-        if "browser" in getattr(item, "fixturenames", ()):
-            item.add_marker(pytest.mark.xdist_group("browser"))
-
-
 @pytest.fixture(scope="session")
 def browser():
     chromium = shutil.which("chromium")

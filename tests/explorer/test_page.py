@@ -119,6 +119,7 @@ def test_the_end_of_the_move_is_dragged(opened):
     assert answer(page) == "YES"
 
 
+@pytest.mark.slow  # the robot and the end of the move are dragged in fast tests
 def test_an_obstacle_and_its_corner_are_dragged(opened):
     page = opened(link(FREE))
     (x0, y0), (x1, _) = handle(page, "obstacle 0 0"), handle(page, "obstacle 0 1")
@@ -141,6 +142,7 @@ def test_a_corner_stays_where_the_polygon_is_convex(opened):
         assert scene(page) == HIT
 
 
+@pytest.mark.slow  # other drags are fast tests
 def test_of_coinciding_corners_the_selected_polygons_is_dragged(opened):
     page = opened(link(Scenario(SQUARE, (9, 0), [[(4, 4), (9, 4), (9, 9)]])))
     page.locator('path[data-part="robot 0 all"]').focus()
@@ -250,6 +252,7 @@ def test_the_slider_moves_the_robot(opened):
     assert page.text_content("#moment-text") == "at the end: touching"  # motion is reduced
 
 
+@pytest.mark.slow  # the slider moves the robot in a fast test
 def test_a_moment_that_is_no_decimal_is_exact(opened):
     page = opened("#gallery=02-sweep-1")
     page.locator("#first").click()
@@ -402,6 +405,7 @@ def large_polygon(n):
     return chain + [(x - a, y + 1 - b) for a, b in chain]
 
 
+@pytest.mark.slow  # a faulty file is refused in a fast test
 def test_a_scene_that_is_too_large_is_named_and_the_next_one_opens(opened, tmp_path):
     large = Scenario(large_polygon(3_000), (0, 0), [])
     file = tmp_path / "large.in"

@@ -55,7 +55,8 @@ def test_the_statement_is_a_pdf_and_the_checker_a_script(files: Files) -> None:
 
 
 def test_equal_packages_give_equal_bytes(package: Package, files: Files) -> None:
-    assert build(package).as_zip() == files.as_zip()
+    again = {name: entry.read() for name, entry in build(package)}
+    assert again == {name: entry.read() for name, entry in files}
 
 
 def test_the_checker_judges_as_the_kit(
@@ -64,7 +65,7 @@ def test_the_checker_judges_as_the_kit(
     paths = [tmp_path / name for name in ("input", "answer", "output")]
     monkeypatch.setattr(sys, "argv", ["checker", *map(str, paths)])
     seen = set()
-    for output, answer in random_outputs(7, 500):
+    for output, answer in random_outputs(7, 200):
         for path, content in zip(paths, (b"", answer, output), strict=True):
             path.write_bytes(content)
         runpy.run_path(str(CHECKER))

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
-import os
 import re
+import subprocess
 import sys
 from pathlib import Path
 from shutil import which
@@ -11,15 +11,14 @@ import pytest
 
 from export.files import Files
 from export.package import Package
-from export.targets.polygon import build
+from export.targets.polygon import build, generator
+from export.targets.polygon.descriptor import descriptor
 from export.targets.polygon.programs import CHECKER_TESTS, validator
+from export.verify.job import Job, VerifyError, need
 from export.verify.outputs import accepted
 from export.verify.polygon import verify
-from export.verify.testlib import VerifyError, find_testlib
+from export.verify.testlib import find_testlib
 from judge.problem.declaration import Group
-
-# A Python of an environment with rbx-cp, whose testlib.h compiles validator and checker.
-TOOLS = Path(os.environ.get("EXPORT_TOOLS_PYTHON", sys.executable))
 
 
 @pytest.fixture(scope="module")
@@ -114,6 +113,35 @@ def test_constants_of_the_validator_are_those_of_problem_toml(package: Package) 
     assert promises == {group.name: promise(group) for group in package.problem.groups}
 
 
+def test_the_generator_is_one_file_that_makes_the_bytes_of_a_case(
+    package: Package, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(generator, "TEXT_BYTES", 0)
+    case = package.secret[0].cases[0]
+    name = generator.arguments(case)
+    recipe = generator.recipes(package)[name]
+    program = tmp_path / "generator.py"
+    program.write_text(generator.source(package, {name: recipe}))
+    command = [sys.executable, "-I", str(program), *name.split()]
+    made = subprocess.run(command, capture_output=True, cwd=tmp_path, check=True)
+    assert made.stdout == case.input.read_bytes()
+    unknown = subprocess.run(command[:-1], capture_output=True, text=True, check=False)
+    assert unknown.returncode == 1
+    assert f"expected one of: {name}" in unknown.stderr
+
+
+def test_large_tests_are_generated(monkeypatch: pytest.MonkeyPatch, package: Package) -> None:
+    monkeypatch.setattr(generator, "TEXT_BYTES", 0)
+    tests = ElementTree.fromstring(descriptor(package)).findall("judging/testset/tests/test")
+    by_hand = len(package.samples)
+    assert [test.get("method") for test in tests[:by_hand]] == ["manual"] * by_hand
+    for test, case in zip(
+        tests[by_hand:], (case for group in package.secret for case in group.cases), strict=True
+    ):
+        assert test.get("method") == "generated"
+        assert test.get("cmd") == f"generator {case.group} {case.input.stem}"
+
+
 @pytest.mark.parametrize("test", CHECKER_TESTS)
 def test_checker_tests_have_the_verdict_of_the_kits_judge(test: tuple[str, str, str]) -> None:
     output, answer, verdict = test
@@ -137,24 +165,30 @@ def test_statement_has_every_section_and_figure(files: Files) -> None:
 
 
 def test_equal_packages_give_equal_bytes(package: Package, files: Files) -> None:
-    assert build(package).as_zip() == files.as_zip()
+    again = {name: entry.read() for name, entry in build(package)}
+    assert again == {name: entry.read() for name, entry in files}
 
 
 def test_an_environment_without_testlib_is_named() -> None:
-    with pytest.raises(VerifyError, match="pip install rbx-cp"):
+    with pytest.raises(VerifyError, match=r"tools/setup\.py --judges"):
         find_testlib(Path(which("false") or ""))
 
 
 @pytest.mark.slow
 def test_testlibs_programs_agree_with_the_kit(files: Files, tmp_path: Path) -> None:
-    try:
-        find_testlib(TOOLS)
-    except VerifyError as error:
-        pytest.skip(str(error))
-    if which("g++") is None:
-        pytest.skip("g++ is missing")
     archive = tmp_path / "polygon.zip"
     files.write_zip(archive)
-    report = verify(archive, tmp_path, TOOLS, quick=True)
-    assert report.valid_files > 20
-    assert report.right_outputs > 50
+    scratch = tmp_path / "scratch"
+    scratch.mkdir()
+    job = Job(archive, scratch, quick=True)
+    try:
+        find_testlib(job.python)
+        need("g++", "g++")
+    except VerifyError as error:
+        pytest.skip(str(error))
+    assert [line.partition(":")[0] for line in verify(job)] == [
+        "generator",
+        "testlib validator",
+        "testlib checker",
+        "rbx",
+    ]

@@ -101,7 +101,7 @@ def test_verify_makes_what_is_current_again(gen, data, capsys):
 
 def test_what_was_built_is_not_read_again_for_its_checksums(gen, data, tmp_path, monkeypatch):
     """Its checksums are kept once its time stamps have settled, see judge.kit.checksums."""
-    monkeypatch.setattr("gen.cli.Store", lambda: Store(tmp_path / "store.sqlite"))
+    monkeypatch.setattr("gen.commands.build.Store", lambda: Store(tmp_path / "store.sqlite"))
     monkeypatch.setattr("judge.kit.checksums.SETTLED_AFTER_NS", 0)
     time.sleep(0.02)
     assert gen("build", "secret/small/0*", "--force", "--data", data) == 0

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from gen.added import load_added
+from gen.plan import load_plan
 from judge.kit.checksums import Checksums
 from judge.kit.paths import ROOT
 from judge.problem.manifest import file_faults, load_manifest
@@ -274,3 +275,26 @@ def test_all_that_contributing_tells_leaves_the_tests_green(kit):
         assert done.returncode == 0, done.stderr
     tests = in_kit(kit, "pytest", "tests/gen", "-m", "not slow", "-q", "-p", "no:cacheprovider")
     assert tests.returncode == 0, tests.stdout[-3000:]
+
+
+def test_clean_deletes_only_what_a_build_makes_again(gen, data, tmp_path, capsys):
+    large = data / "secret" / "large"
+    large.mkdir()
+    own = tmp_path / "mine.in"
+    own.write_text(BY_HAND)
+    assert gen("case", "--file", own, "--group", "large", "--data", data) == 0
+    assert gen("case", "contacts", "--set", "scenarios=2", "--group", "large", "--data", data) == 0
+    planned = next(r for r in load_plan() if r.group == "large" and r.family)
+    for path in (large / f"{planned.name}.in", large / "notes.txt", data / "secret/many/x.in"):
+        path.parent.mkdir(exist_ok=True)
+        path.write_text("something")
+    small = sorted((data / "secret" / "small").iterdir())
+    capsys.readouterr()
+    assert gen("clean", "--data", data) == 0
+    kept = ["mine.ans", "mine.in", "notes.txt"]
+    assert sorted(path.name for path in large.iterdir()) == kept
+    assert (data / "secret/many/x.in").exists()
+    assert sorted((data / "secret" / "small").iterdir()) == small
+    said = capsys.readouterr().out
+    assert said.startswith("3 files deleted, which `gen build` makes again\n")
+    assert all(f"kept: {large / name} (no build makes it)\n" in said for name in kept)

@@ -143,6 +143,24 @@ def test_compile_error(checker: Checker, source: Source, data: Path) -> None:
     assert "CE  0 of 100 points" in done.stdout
 
 
+@pytest.mark.parametrize("form", ["crlf", "bom"])
+@pytest.mark.parametrize("name", ["echo.py", "echo.cpp"])
+def test_a_source_and_an_output_with_the_line_ends_of_windows(
+    checker: Checker, tmp_path: Path, data: Path, name: str, form: str
+) -> None:
+    """Neither matters: compilers take both, and answers are compared word by word."""
+    if name.endswith("cpp") and shutil.which("g++") is None:
+        pytest.skip("g++ is not installed")
+    python = "import sys\nfor line in sys.stdin:\n    print(line.rstrip(), end='\\r\\n')\n"
+    text = python if name.endswith("py") else ECHO_CPP
+    path = tmp_path / name
+    path.write_bytes(
+        text.replace("\n", "\r\n").encode() if form == "crlf" else text.encode("utf-8-sig")
+    )
+    done = checker(path, "--data", data)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
 def test_what_cannot_be_judged_is_told_in_one_line(
     checker: Checker, source: Source, data: Path, tmp_path: Path
 ) -> None:

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from judge.kit.command import run
+from judge.kit.command import Parser, run
 from judge.kit.paths import ROOT
 
 COMMANDS = {
@@ -84,3 +84,54 @@ def test_an_unforeseen_exception_is_not_hidden() -> None:
 
     with pytest.raises(ZeroDivisionError):
         run("x", command, (ValueError,))
+
+
+@pytest.mark.parametrize(
+    ("line", "near"),
+    [
+        ("checker.py a.py --exlpain", "--explain"),
+        ("-m gen build --forse=1", "--force"),
+        ("-m pictures show a.in 1 --outputs x.svg", "--output"),
+        ("-m strength mutants --quikc 1", "--quick"),
+        ("-m stress table --sede 1", "--seed"),
+        ("-m stress my.py --sede 1", "--seed"),
+        ("-m bench growth --rums 1", "--runs"),
+    ],
+)
+def test_a_mistyped_option_is_met_with_the_nearest(line: str, near: str) -> None:
+    done = shell(f"{sys.executable} {line}")
+    assert done.returncode == 2
+    assert "unrecognized arguments: -" in done.stderr
+    assert done.stderr.endswith(f"; did you mean '{near}'?\n")
+
+
+def test_what_is_like_no_option_gets_no_suggestion(capsys: pytest.CaptureFixture[str]) -> None:
+    parser = Parser(prog="x")
+    parser.add_argument("--force")
+    for word in ("force", "--zzz"):
+        with pytest.raises(SystemExit):
+            parser.parse_args([word])
+        assert capsys.readouterr().err.endswith(f"unrecognized arguments: {word}\n")
+
+
+def test_every_command_line_is_parsed_in_one_place() -> None:
+    own = {"judge/kit/command.py", "gen/validator.py"}  # the validator stands alone
+    packages = (
+        "judge",
+        "gen",
+        "stress",
+        "strength",
+        "bench",
+        "pictures",
+        "explorer",
+        "tools",
+        "export",
+        "autograder",
+    )
+    found = {
+        path.relative_to(ROOT).as_posix()
+        for package in packages
+        for path in (ROOT / package).rglob("*.py")
+        if "argparse.ArgumentParser(" in path.read_text()
+    }
+    assert found <= own

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from judge.languages.crash import crash_reason, shown_stderr
+from judge.languages.crash import compiler_lines, crash_reason, shown_stderr
 from judge.languages.submission import compile_submission, from_source
 from judge.languages.table import by_name
 from judge.problem.declaration import load
@@ -173,3 +173,12 @@ def test_both_ends_of_standard_error_are_kept(size: int, tmp_path: Path) -> None
     between = b"\n... %d bytes left out ...\n" % left_out
     assert pipes.stderr == said[:HEAD_BYTES] + between + said[-TAIL_BYTES:]
     assert len(pipes.stderr) <= STDERR_BYTES
+
+
+def test_a_long_text_of_a_compiler_begins_with_the_first_error() -> None:
+    before = [f"In file included from <x{n}>" for n in range(20)]
+    after = ["a.cpp:3:5: error: 'y' was not declared", "    3 |     y;", "      |     ^"]
+    assert compiler_lines("\n".join([*before, *after]).encode()).splitlines() == after
+    short = [*before[:3], *after]
+    assert compiler_lines("\n".join(short).encode()).splitlines() == short
+    assert compiler_lines("\n".join(before).encode()).splitlines() == [*before[:12], "…"]

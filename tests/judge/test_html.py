@@ -111,6 +111,18 @@ def test_the_scenes_of_lessons_have_their_pictures() -> None:
         assert ("open" in details) is is_open
 
 
+def test_a_long_crash_is_folded() -> None:
+    crash = "crash: exit status 1: " + "x" * 90 + "\nline two"
+    page = to_html(replace(failed(FIRST), counterexample=replace(EXAMPLE, found=crash))).decode()
+    texts = Reader(page).texts
+    assert f"{crash[:80]}…" in texts
+    assert crash in texts
+    assert "all that was found" in texts
+    assert (
+        "all that was found" not in to_html(replace(failed(FIRST), counterexample=EXAMPLE)).decode()
+    )
+
+
 def test_it_tells_why_there_is_no_counterexample() -> None:
     page = to_html(replace(failed(FIRST), unexplained="nothing <smaller> fails")).decode()
     assert "nothing &lt;smaller&gt; fails" in page

@@ -49,6 +49,17 @@ def test_show_prints_one_scenario(capsys, tmp_path):
     assert "case.in, scenario 2" in capsys.readouterr().out
 
 
+def test_only_svg_is_written(capsys, tmp_path):
+    file = tmp_path / "case.in"
+    file.write_bytes(render([Scenario(SQUARE, (0, 0), [])]))
+    assert run("show", file, 1, "-o", tmp_path / "q.png") == 2
+    assert "q.png: expected a name that ends with .svg, found .png" in capsys.readouterr().err
+    assert not (tmp_path / "q.png").exists()
+    for name in ("q.svg", "q"):
+        assert run("show", file, 1, "-o", tmp_path / name) == 0
+        assert "</svg>" in (tmp_path / name).read_text()
+
+
 @pytest.mark.parametrize(
     ("content", "number", "message"),
     [

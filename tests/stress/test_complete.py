@@ -10,7 +10,6 @@ from stress.compare import compare
 from stress.programs import CPP, PYTHON, ready
 from stress.worlds import box_world
 
-pytestmark = pytest.mark.xdist_group("complete")  # so that the programs are compiled once
 SMALLEST = box_world(*COMPLETE[0])
 
 
@@ -49,6 +48,7 @@ def test_all_programs_agree_on_a_sample_of_the_larger_worlds(programs, shape):
     assert outcome.yes > 500
 
 
+@pytest.mark.slow  # fast tests of `compare` find differences, too
 def test_a_difference_is_found(programs):
     with Sandbox() as sandbox:
         wrong = ready([SUBMISSIONS / "wrong_answer" / "axes_touch_free.cpp"], sandbox)

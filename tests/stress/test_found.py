@@ -9,8 +9,10 @@ from gen.scenario import Scenario, render
 from judge.explanation import Diagnosis, FailedScene, MissedLesson
 from judge.kit.paths import ROOT, SUBMISSIONS
 from judge.kit.trusted import run_trusted
+from judge.problem.verdict import Verdict
 from stress import cli
 from stress.illustrate import illustrated
+from stress.running.trial import Trial
 from stress.search import result
 from stress.search.add import AddError, add_to_data, fitting_group
 
@@ -90,6 +92,26 @@ def test_the_checker_explains_and_a_judging_without_that_does_not_load_the_searc
     shown = "print(*[name for name in sys.modules if name.startswith(('gen.', 'pictures.'))])"
     loads = f"import sys, stress.front; {shown}"
     assert run_trusted("python", (sys.executable, "-c", loads)).split() == []
+
+
+def test_of_several_scenarios_sentence_and_picture_say_which():
+    free, hit = Scenario(TRIANGLE, (0, 0), []), Scenario(TRIANGLE, (0, 0), [TRIANGLE])
+    trial = Trial((free, hit), Verdict.WA, True, (1,), "YES")
+    found = result.counterexample(trial, "YES", 0.1, ())
+    assert found.sentence.startswith("Scenario 2 of 2: The robot")
+    assert "scenario 2 of 2" in found.picture
+    alone = result.counterexample(Trial((hit,), Verdict.WA, True, (0,), "YES"), "YES", 0.1, ())
+    assert alone.sentence.startswith("The robot")
+
+
+def test_a_compile_error_is_shown_with_its_lines(tmp_path, capsys):
+    program = tmp_path / "ce.py"
+    program.write_text("x = 1\nif x\n    y = 2\n")
+    assert cli.main([str(program), "--no-wall"]) == 2
+    said = capsys.readouterr().err
+    assert "\n    if x\n" in said
+    assert "SyntaxError" in said
+    assert said.endswith(f"stress: {program}: does not compile\n")
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ from export.formats.layout import runnable
 from export.package import Package
 from export.target import Target
 from export.targets.polygon import descriptor as names
+from export.targets.polygon import generator
 from export.targets.polygon.programs import CHECKER_TESTS, checker, validator
 from export.targets.polygon.statement import statement
 
@@ -23,6 +24,7 @@ def build(package: Package) -> Files:
     for path in (names.CHECKER, names.CHECKER_COPY):
         files.add(path, checker())
     files.add(names.VALIDATOR, validator(package.problem))
+    files.add(names.GENERATOR, generator.source(package, generator.recipes(package)))
     for submission in runnable(package):
         files.add(names.SOLUTION.format(submission.file), submission.path)
     files.merge(program_tests(package))

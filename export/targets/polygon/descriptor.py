@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from export.formats.layout import runnable
 from export.package import Package
+from export.targets.polygon import generator
 from export.targets.polygon.programs import CHECKER_TESTS, CPP, LANGUAGES, tag
+from judge.problem.cases import Case
 
 MS_PER_S = 1000
 MIB = 1 << 20
@@ -16,6 +18,7 @@ TEST = "tests/%02d"
 CHECKER_TEST = "files/tests/checker-tests/%02d"
 VALIDATOR_TEST = "files/tests/validator-tests/%02d"
 ANSWER, OUTPUT = ".a", ".o"
+GENERATOR = f"files/{generator.NAME}.py"
 VALIDATOR, CHECKER, CHECKER_COPY = "files/validator.cpp", "files/check.cpp", "check.cpp"
 LATEX = "statements/english/problem.tex"
 SOLUTION = "solutions/{}"
@@ -35,8 +38,8 @@ def descriptor(package: Package) -> bytes:
     # The PDF has its usual place, where CMS looks, but no entry: rbx 2.3 fails at such an entry.
     _judging(root, package)
     executables = SubElement(SubElement(root, "files"), "executables")
-    for path in (VALIDATOR, CHECKER):
-        SubElement(SubElement(executables, "executable"), "source", path=path, type=CPP)
+    for path, kind in ((VALIDATOR, CPP), (CHECKER, CPP), (GENERATOR, generator.LANGUAGE)):
+        SubElement(SubElement(executables, "executable"), "source", path=path, type=kind)
     _assets(root, package)
     properties = SubElement(root, "properties")
     SubElement(properties, "property", name="tests-wellformed", value="true")
@@ -47,9 +50,10 @@ def descriptor(package: Package) -> bytes:
 def _judging(root: Element, package: Package) -> None:
     limits = package.problem.limits
     judging = SubElement(root, "judging", {"input-file": "", "output-file": "", "run-count": "1"})
+    generated = generator.recipes(package)
     tests = [
         {
-            "method": "manual",
+            **_method(case, generated),
             "group": group.name,
             "points": f"{group.declared.points if number == 0 else 0:.1f}",
             **({"sample": "true"} if case in package.samples else {}),
@@ -73,6 +77,14 @@ def _judging(root: Element, package: Package) -> None:
                 "feedback-policy": "complete" if group.name == "sample" else "icpc",
             },
         )
+
+
+def _method(case: Case, generated: Container[str]) -> dict[str, str]:
+    """Say how the input of a test comes to Polygon: as text, or by the generator."""
+    arguments = generator.arguments(case)
+    if arguments in generated:
+        return {"method": "generated", "cmd": f"{generator.NAME} {arguments}"}
+    return {"method": "manual"}
 
 
 def _assets(root: Element, package: Package) -> None:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from jinja2 import Environment, StrictUndefined
 
@@ -45,12 +46,17 @@ CHECKER_TESTS = (
 )
 
 
+def rendered(template: str, **values: Any) -> str:
+    """Return a template of this room with its values, which are not escaped: it is no HTML."""
+    environment = Environment(undefined=StrictUndefined, keep_trailing_newline=True)
+    environment.policies["json.dumps_function"] = lambda value, **_: json.dumps(value)
+    text = (HERE / template).read_text(encoding="utf-8")
+    return environment.from_string(text).render(**values)
+
+
 def validator(problem: Problem) -> str:
     """Return the validator in C++ for testlib, with the constants of problem.toml."""
-    # Not escaped: the result is C++, not HTML.
-    environment = Environment(undefined=StrictUndefined, keep_trailing_newline=True)
-    template = environment.from_string((HERE / "validator.cpp.jinja").read_text(encoding="utf-8"))
-    return template.render(problem=problem, bounds=problem.constraints)
+    return rendered("validator.cpp.jinja", problem=problem, bounds=problem.constraints)
 
 
 def checker() -> Path:

@@ -74,7 +74,7 @@ def test_equal_seeds_give_equal_samples():
 
 @pytest.mark.parametrize(
     "size",
-    [20, pytest.param(60, marks=pytest.mark.slow)],
+    [9, pytest.param(60, marks=pytest.mark.slow)],
 )
 def test_a_sample_of_the_real_campaign(size):
     # Size and time show on the large files only; here are the small ones, and so only
