@@ -158,6 +158,7 @@ def test_the_python_starter_reads_everything(
             ["java", "Solution"],
         ),
     ],
+    ids=["C++", "Java"],
 )
 def test_the_other_starters_read_everything(
     name: str, file: str, decides: str, compiler: list[str], command: list[str], tmp_path: Path
