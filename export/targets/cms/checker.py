@@ -18,12 +18,12 @@ def main() -> None:
         print("1.0")
         print("translate:success", file=sys.stderr)
         return
-    pairs = enumerate(zip(answer, output, strict=False), 1)
-    shorter = min(len(answer), len(output))
-    first = next((number for number, (a, b) in pairs if a != b), shorter + 1)
+    first = 0
+    while answer[first : first + 1] == output[first : first + 1]:
+        first += 1
     print("0.0")
     print("translate:wrong", file=sys.stderr)
-    print(f"ADMIN_MESSAGE: scenario {first}: {len(output)} answers found", file=sys.stderr)
+    print(f"ADMIN_MESSAGE: scenario {first + 1}: {len(output)} answers found", file=sys.stderr)
 
 
 main()
