@@ -13,7 +13,7 @@ from pathlib import Path
 
 def main() -> None:
     """Compare the output with the answer; one token answers one scenario."""
-    _, answer, output = (Path(name).read_bytes().lower().split() for name in sys.argv[1:4])
+    answer, output = (Path(name).read_bytes().lower().split() for name in sys.argv[2:4])
     if output == answer:
         print("1.0")
         print("translate:success", file=sys.stderr)
