@@ -13,17 +13,17 @@ from pathlib import Path
 
 def main() -> None:
     """Compare the output with the answer; one token answers one scenario."""
-    _, answer, output = (Path(name).read_bytes().lower().split() for name in sys.argv[1:4])
+    answer, output = (Path(name).read_bytes().lower().split() for name in sys.argv[2:4])
     if output == answer:
         print("1.0")
         print("translate:success", file=sys.stderr)
         return
-    pairs = enumerate(zip(answer, output, strict=False), 1)
-    shorter = min(len(answer), len(output))
-    first = next((number for number, (a, b) in pairs if a != b), shorter + 1)
+    first = 0
+    while answer[first : first + 1] == output[first : first + 1]:
+        first += 1
     print("0.0")
     print("translate:wrong", file=sys.stderr)
-    print(f"ADMIN_MESSAGE: scenario {first}: {len(output)} answers found", file=sys.stderr)
+    print(f"ADMIN_MESSAGE: scenario {first + 1}: {len(output)} answers found", file=sys.stderr)
 
 
 main()
