@@ -46,6 +46,11 @@ class Submission:
     source: bytes
     file: tuple[int, int] | None = None
 
+    @property
+    def own_name(self) -> str:
+        """The name of the user's file without its directory, printable; "" if there is none."""
+        return printable_name(Path(self.name).name) if self.file else ""
+
 
 @dataclass(frozen=True, slots=True)
 class Program:
@@ -64,9 +69,8 @@ class Program:
         """Return standard error as printable lines that name the user's file; it may be empty."""
         if not stderr:
             return ""
-        name = printable_name(Path(self.submission.name).name) if self.submission.file else ""
         source = names_of(self.submission)[0]
-        return shown_stderr(stderr, source, name or source)
+        return shown_stderr(stderr, source, self.submission.own_name or source)
 
 
 def read_source(file: IO[bytes]) -> bytes:
@@ -168,7 +172,7 @@ def compile_submission(submission: Submission, limits: Limits, sandbox: Sandbox)
         compiling=True,
     )
     said = compiler_lines(facts.stderr or printed.read_bytes()[:8192])
-    said = said.replace(f"{inside}/", "")
+    said = said.replace(f"{inside}/", "").replace(source_name, submission.own_name or source_name)
     if facts.stopped is not None:
         limit = {
             Stop.MEMORY: f"more than {run_limits.memory_mib} MiB of memory",

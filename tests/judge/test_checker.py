@@ -139,7 +139,8 @@ def test_compile_error(checker: Checker, source: Source, data: Path) -> None:
     done = checker(source("e.cpp", "int main() { return x; }\n"), "--data", data)
     assert done.returncode == 1
     assert "does not compile" in done.stdout
-    assert "submission.cpp:1:21: error" in done.stdout
+    assert "e.cpp:1:21: error" in done.stdout
+    assert "submission.cpp" not in done.stdout
     assert "CE  0 of 100 points" in done.stdout
 
 
