@@ -111,7 +111,7 @@ def test_a_compile_error_is_a_verdict(source: Source, data: Path) -> None:
     assert outcome.verdict is Verdict.CE
     assert outcome.score == 0
     assert "SyntaxError" in outcome.message
-    assert 'File "submission.py", line 1' in outcome.message
+    assert 'File "broken.py", line 1' in outcome.message
     assert {g.verdict for g in outcome.groups} == {Verdict.CE}
     assert {r.verdict for r in outcome.cases} == {None}
 
