@@ -1,0 +1,1 @@
+"""The packages, read back by the judges' own tools."""
