@@ -122,7 +122,7 @@ def load_package(*, compact: bool = False) -> Package:
     """
     problem = load()
     with Store() as store:
-        data = load_data(problem, store=store)
+        data = load_data(problem, store=store, compact=compact)
     chosen = data.chosen
     return Package(
         problem=problem,

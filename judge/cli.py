@@ -120,6 +120,7 @@ def _judge(asked: argparse.Namespace, explainers: Explainers | None, *, hints: b
         time_limit_s=asked.time_limit,
         stop_on_first=not asked.all,
         no_wall=asked.no_wall,
+        compact=asked.compact,
     )
     from judge.feedback import told
     from judge.kit.console import PlainConsole
@@ -232,6 +233,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--language", metavar="NAME", help="language (default: by suffix, else by the text)")
     add("--group", action="append", default=[], metavar="NAME", help="only this group; repeatable")
     add("--case", action="append", default=[], metavar="GLOB", help="only these cases; repeatable")
+    add("--compact", action="store_true", help="only the small selection, data/compact.json")
     add("--data", type=Path, metavar="DIR", help="use the .in/.ans pairs of this directory")
     answers = "let the reference write the .ans files that are missing in --data DIR"
     add("--make-answers", action="store_true", help=answers)

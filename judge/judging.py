@@ -45,6 +45,7 @@ class Options:
     stop_on_first: a group ends at its first failure, as its points are all or nothing; False:
     every case is run.
     no_wall: if no wall works, run even programs that are not the kit's own.
+    compact: judge only on the small selection of cases, `compact.json`.
     """
 
     data: Path = DATA
@@ -54,6 +55,7 @@ class Options:
     time_limit_s: float | None = None
     stop_on_first: bool = True
     no_wall: bool = False
+    compact: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,7 +120,9 @@ def judge(
     events.phase(f"compiling {printable_name(submission.name)} ({submission.language.name})")
     with Store() as store, Pool(job, options.jobs, executor) as pool:
         compiling = pool.prepare()  # goes on while the data is checked
-        data = load_data(problem, options.data, options.groups, options.globs, store)
+        data = load_data(
+            problem, options.data, options.groups, options.globs, store, compact=options.compact
+        )
         time_limit = _TimeLimit(problem, options.time_limit_s, pool, events)
         cases = judging_order(options.data, data.chosen)
         ready = wait_until_ready(pool, compiling, submission)

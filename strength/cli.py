@@ -24,12 +24,14 @@ from judge.problem.declaration import Problem, load
 from judge.problem.order import save_order
 from judge.sandbox.sandbox import Sandbox
 from strength.analysis import Analysis, analyse
+from strength.compact import command as compact
+from strength.compact.slow import further_runs
 from strength.gallery import cli as gallery
 from strength.mutants import cli as mutants
 from strength.order import telling_order
 from strength.page import page
 from strength.show import as_json, print_cases, print_findings, print_groups
-from strength.table import Matrix, build
+from strength.table import Further, Matrix, build, nothing_further
 
 AS_DECLARED, FAULTS = 0, 1
 
@@ -62,6 +64,7 @@ def _matrix_command(arguments: Sequence[str]) -> int:
     add("--json", type=Path, metavar="FILE", help="write everything as JSON")
     add("--html", type=Path, metavar="FILE", help="write one page of tables")
     add("--order", action="store_true", help="write data/order.json, the order of judging")
+    add("--compact", action="store_true", help="write data/compact.json, a small selection")
     add_jobs(parser, processors(), "submissions judged")
     options = parser.parse_args(arguments)
     check_place("--json", options.json)
@@ -73,12 +76,14 @@ def _matrix_command(arguments: Sequence[str]) -> int:
         if name not in known:
             near = did_you_mean(name, known)
             raise SubmissionError(f"{name}: problem.toml declares no such submission{near}")
-    if options.order and (options.submission or options.groups):
-        raise SubmissionError("--order: expected all submissions and groups, found only some")
+    for option, wanted in (("--order", options.order), ("--compact", options.compact)):
+        if wanted and (options.submission or options.groups):
+            raise SubmissionError(f"{option}: expected all submissions and groups, found only some")
     groups = [word for word in options.groups.split(",") if word] or problem.group_names
     with Store() as store:
         data = load_data(problem, groups=groups, store=store)
-        matrix = _judged(options.submission or known, data, problem, store, options.jobs)
+        further = further_runs(data, problem) if options.compact else nothing_further
+        matrix = _judged(options.submission or known, data, problem, store, options.jobs, further)
     families = {name: entry.family for name, entry in data.manifest.cases.items()}
     analysis = analyse(matrix, problem, families)
     _print(matrix, analysis, time.perf_counter() - start, cases=options.cases)
@@ -87,11 +92,18 @@ def _matrix_command(arguments: Sequence[str]) -> int:
     if options.order:
         sizes = {case.name: case.input.stat().st_size for case in matrix.cases}
         save_order(data.directory, telling_order(matrix, sizes))
+    if options.compact:
+        compact.write(matrix, data, problem)
     return FAULTS if analysis.faults else AS_DECLARED
 
 
 def _judged(
-    submissions: Sequence[str], data: Data, problem: Problem, store: Store, jobs: int
+    submissions: Sequence[str],
+    data: Data,
+    problem: Problem,
+    store: Store,
+    jobs: int,
+    further: Further,
 ) -> Matrix:
     total = len(submissions) * len(data.chosen)
     with Sandbox() as sandbox, progress_bar("timing the reference solution", total) as bar:
@@ -101,7 +113,17 @@ def _judged(
             bar.advance()
 
         scale = scale_of(problem, sandbox)
-        return build(submissions, data, problem, sandbox, store, scale=scale, jobs=jobs, done=done)
+        return build(
+            submissions,
+            data,
+            problem,
+            sandbox,
+            store,
+            scale=scale,
+            jobs=jobs,
+            done=done,
+            further=further,
+        )
 
 
 def _print(matrix: Matrix, analysis: Analysis, seconds: float, *, cases: bool) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 
@@ -22,7 +22,8 @@ from judge.sandbox.sandbox import Sandbox
 class Row:
     """One submission (path below submissions/) and its verdict on each case that it ran on.
 
-    After a first TLE in a group, the group's other cases are not run: they are missing.
+    After a first TLE in a group, the group's other cases are missing: they are not run, unless
+    they were asked for.
     """
 
     submission: str
@@ -38,6 +39,15 @@ class Matrix:
     judged: int
 
 
+# Names the next case to run after a group's first TLE, or None: from the submission, the group and
+# the verdicts so far.
+Further = Callable[[str, str, Mapping[str, Verdict]], Case | None]
+
+
+def nothing_further(_submission: str, _group: str, _verdicts: Mapping[str, Verdict]) -> None:
+    """Ask for no more runs."""
+
+
 def build(
     submissions: Sequence[str],
     data: Data,
@@ -48,19 +58,20 @@ def build(
     scale: float = 1.0,
     jobs: int,
     done: Callable[[str], None] = lambda _submission: None,
+    further: Further = nothing_further,
 ) -> Matrix:
     """Judge every submission on the chosen cases of the data, `jobs` submissions at a time.
 
     scale: how many times slower this machine is than the one that set the limits. store:
     keeps the verdicts, so that only what changed is run again. done: called with the
-    submission for each case that is behind it. Raises SubmissionError, LanguageError,
-    SandboxError, OSError.
+    submission for each case that is behind it. further: asks for more runs. Raises
+    SubmissionError, LanguageError, SandboxError, OSError.
     """
     rows: dict[str, Row] = {}
     judged = 0
     with ThreadPoolExecutor(jobs) as pool:
         judges = [_Judge(name, data, problem, scale, sandbox, store) for name in submissions]
-        futures = [pool.submit(judge.row, done) for judge in judges]
+        futures = [pool.submit(judge.row, done, further) for judge in judges]
         try:
             for future in as_completed(futures):
                 row, runs = future.result()
@@ -92,7 +103,7 @@ class _Judge:
         self._does_not_compile = False
         self._runs = 0
 
-    def row(self, done: Callable[[str], None]) -> tuple[Row, int]:
+    def row(self, done: Callable[[str], None], further: Further) -> tuple[Row, int]:
         """Return the row, and how many runs were made for it."""
         verdicts: dict[str, Verdict] = {}
         slow: set[str] = set()  # groups with a TLE
@@ -104,7 +115,11 @@ class _Judge:
                 if verdict is Verdict.TLE:
                     slow.add(case.group)
             done(self._name)
-        return Row(self._name, verdicts), self._runs
+        for group in sorted(slow):
+            while more := further(self._name, group, verdicts):
+                verdicts[more.name] = kept.get(more.name) or self._judged(more)
+        in_order = {case.name: verdicts[case.name] for case in self._cases if case.name in verdicts}
+        return Row(self._name, in_order), self._runs
 
     def _judged(self, case: Case) -> Verdict:
         """Run the submission on a case, and keep the verdict."""

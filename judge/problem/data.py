@@ -10,6 +10,7 @@ from judge.kit.checksums import Checksums
 from judge.kit.paths import DATA
 from judge.kit.store import Store
 from judge.problem.cases import REBUILD, Case, CasesError, find_cases, group_of, select
+from judge.problem.compact import compact_cases
 from judge.problem.declaration import Problem
 from judge.problem.given import check_given
 from judge.problem.manifest import Manifest, file_faults, load_manifest
@@ -36,20 +37,23 @@ def load_data(
     groups: Sequence[str] = (),
     globs: Sequence[str] = (),
     store: Store | None = None,
+    *,
+    compact: bool = False,
 ) -> Data:
     """Find the test cases of `directory`; choose those of `groups` that match `globs`.
 
     Empty groups or globs: all. The kit's own directory must have every case of these groups. In
     any directory, the chosen cases must match the manifest; in others, inputs and answers that
     the manifest does not name are checked. store: keeps checksums, so that unchanged files are
-    not read again. Raises CasesError, ManifestError, ProgramError.
+    not read again. compact: choose only from the small selection, `compact.json`. Raises
+    CasesError, CompactError, ManifestError, ProgramError.
     """
     manifest = load_manifest(directory)
     cases = find_cases(directory, problem)
     if directory == DATA:
         wanted = [name for name in problem.group_names if not groups or name in groups]
         check_complete(manifest, cases, wanted, directory)
-    chosen = select(cases, groups, globs)
+    chosen = select(compact_cases(directory, cases) if compact else cases, groups, globs)
     check_unchanged(manifest, chosen, directory, Checksums(store))
     if directory != DATA:
         check_given([case for case in chosen if case.name not in manifest.cases])

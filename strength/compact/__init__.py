@@ -1,0 +1,1 @@
+"""The small selection of cases, `data/compact.json`: how it is chosen, and what it costs."""
