@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from export.package import load_package
-from export.verify import classroom, cms, gradescope, kattis, plain, polygon
+from export.verify import classroom, cms, domjudge, gradescope, kattis, plain, polygon
 from export.verify import verdicts as table
 from export.verify.job import Job
 from export.write import chosen, write
@@ -22,6 +22,7 @@ VERIFIERS: Mapping[str, Callable[[Job], list[str]]] = {
     "bapctools": kattis.verify_bapctools,
     "classroom": classroom.verify,
     "cms": cms.verify,
+    "domjudge": domjudge.verify_job,
     "gradescope": gradescope.verify,
     "kattis": kattis.verify_legacy,
     "kattis-pass-fail": kattis.verify_legacy,

@@ -17,6 +17,7 @@ import msgspec
 
 from export.formats import layout
 from export.package import load_package
+from export.verify.job import Job
 from judge.kit.errors import KitError
 from judge.problem.declaration import load
 from judge.problem.verdict import Verdict
@@ -107,6 +108,17 @@ def missing() -> str:
     if not (Path(path) / IMPORTER).is_file():
         return f"{CHECKOUT}={path}: expected a checkout of DOMjudge, found no {IMPORTER}"
     return ""
+
+
+def verify_job(job: Job) -> list[str]:
+    """Import the package of a job. Without php or a checkout of DOMjudge: say what is missing."""
+    why = missing()
+    return [f"not verified: {why}"] if why else verify(job.package, job.scratch, checkout())
+
+
+def checkout() -> Path:
+    """Return the checkout of DOMjudge that the environment names."""
+    return Path(os.environ[CHECKOUT])
 
 
 def verify(package: Path, scratch: Path, domjudge: Path) -> list[str]:
