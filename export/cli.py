@@ -8,7 +8,7 @@ from pathlib import Path
 from export.package import Package, load_package
 from export.targets import TARGETS
 from export.verify import cli as verify
-from export.write import ALL, chosen, write
+from export.write import ALL, MIB, chosen, write
 from judge.kit.command import Parser, run
 from judge.kit.paths import BUILD
 
@@ -44,7 +44,9 @@ def _command(arguments: Sequence[str]) -> int:
         compact = options.compact or target.compact
         if compact not in packages:
             packages[compact] = load_package(compact=compact)
-        write(target, packages[compact], options.output)
+        path, size = write(target, packages[compact], options.output)
+        print(f"{path}: {size / MIB:,.1f} MiB")
+        print(f"  {target.import_it}")
     return DONE
 
 

@@ -28,8 +28,8 @@ def chosen(names: Sequence[str]) -> list[Target]:
     return [TARGETS[name] for name in dict.fromkeys(names)]
 
 
-def write(target: Target, package: Package, directory: Path) -> Path:
-    """Build one package and write it; print where it is and what to do with it."""
+def write(target: Target, package: Package, directory: Path) -> tuple[Path, int]:
+    """Build one package and write it; return its place and its bytes. Raises KitError, OSError."""
     path = directory / target.file_name
     with progress_bar(target.name) as bar:
         files: Files = target.build(package)
@@ -50,6 +50,4 @@ def write(target: Target, package: Package, directory: Path) -> Path:
         path.unlink()
         limit = f"{target.max_bytes / MIB:,.0f} MiB"
         raise ExportError(f"{path.name}: {size / MIB:,.1f} MiB; this judge takes at most {limit}")
-    print(f"{path}: {size / MIB:,.1f} MiB, {len(files.entries):,} files")
-    print(f"  {target.import_it}")
-    return path
+    return path, size

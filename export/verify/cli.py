@@ -10,7 +10,7 @@ from export.package import load_package
 from export.verify import classroom, cms, domjudge, gradescope, kattis, plain, polygon
 from export.verify import verdicts as table
 from export.verify.job import Job
-from export.write import chosen, write
+from export.write import MIB, chosen, write
 from judge.kit.command import Parser, add_jobs
 from judge.kit.paths import BUILD
 from judge.kit.processors import processors
@@ -64,7 +64,8 @@ def command(arguments: Sequence[str]) -> int:
             scratch = Path(name) / target.name
             scratch.mkdir()
             package = load_package(compact=options.compact or target.compact)
-            path = write(target, package, Path(name) / "packages")
+            path, size = write(target, package, Path(name) / "packages")
+            print(f"{target.name}: {size / MIB:,.1f} MiB", flush=True)
             with progress_bar(f"verifying {target.name}"):
                 told = verify(Job(path, scratch, options.quick))
             for line in told:

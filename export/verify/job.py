@@ -72,13 +72,18 @@ def show_end(text: str) -> None:
 def run_tool(command: Sequence[str | Path], directory: Path) -> str:
     """Run a judge's tool in a directory; return what it printed.
 
-    The tool finds the programs of its own environment. If it fails, the end of what it printed
-    goes to standard error. Raises VerifyError.
+    The tool finds the programs of its own environment, and keeps its files beside the directory:
+    BAPCtools remembers every problem in the user's configuration, and warns of equal ones. If the
+    tool fails, the end of what it printed goes to standard error. Raises VerifyError.
     """
     name = Path(command[0]).name
+    own = directory.parent / "tool"
+    own.mkdir(exist_ok=True)
     environment = os.environ | {
         "PATH": f"{JUDGES / 'bin'}{os.pathsep}{os.environ.get('PATH', os.defpath)}",
         "NO_COLOR": "1",
+        "TMPDIR": str(own),
+        "XDG_CONFIG_HOME": str(own),
     }
     try:
         run = subprocess.run(

@@ -36,15 +36,18 @@ def test_each_verifier_has_a_target() -> None:
     assert set(VERIFIERS) <= set(TARGETS)
 
 
-def test_what_is_written_is_said(
-    package: Package, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+def test_where_a_package_is_and_what_to_do_with_it(
+    package: Package,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    target = TARGETS["plain"]
-    path = write(target, package, tmp_path)
-    assert path == tmp_path / "plain.zip"
+    monkeypatch.setattr("export.cli.load_package", lambda **_compact: package)
+    assert main(["plain", "--output", str(tmp_path)]) == 0
     out = capsys.readouterr().out
-    assert str(path) in out
-    assert target.import_it in out
+    assert f"{tmp_path / 'plain.zip'}: " in out
+    assert TARGETS["plain"].import_it in out
+    assert [path.name for path in tmp_path.iterdir()] == ["plain.zip"]
 
 
 def test_a_package_that_is_too_large_is_not_left(package: Package, tmp_path: Path) -> None:
