@@ -5,11 +5,21 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from export.formats.yaml import as_yaml
 from export.verify.job import Job, VerifyError, find_tool, need, run_tool, show_end
 
 RESULT = re.compile(r"tested: (\d+) errors?, (\d+) warnings?")
 FAULTS = ("ERROR", "WARNING")
 QUICK_PARTS = ("config", "data", "validators")
+
+
+def take_any_java(directory: Path) -> None:
+    """Let problemtools compile Java with whatever JDK is here; by itself, it asks for Java 21.
+
+    directory: the problem's parent, where problemtools looks for settings.
+    """
+    java = {"compile": "javac -encoding UTF-8 -sourcepath {path} -d {path} {files}"}
+    (directory / "languages.yaml").write_text(as_yaml({"java": java}), encoding="utf-8")
 
 
 def verify_legacy(job: Job) -> list[str]:
@@ -24,6 +34,7 @@ def verify_legacy(job: Job) -> list[str]:
     else:
         need("lualatex", "texlive-latex-extra texlive-luatex texlive-fonts-recommended")
         need("pypy3", "pypy3")  # problemtools runs Python submissions with it
+        take_any_java(problem.parent)
     text = run_tool(command, problem.parent)
     (job.scratch / "verifyproblem.txt").write_text(text, encoding="utf-8")
     found = RESULT.search(text)

@@ -15,6 +15,7 @@ from export.formats.layout import coarse
 from export.package import Package, Submission
 from export.targets import TARGETS
 from export.verify.job import find_tool, run_tool
+from export.verify.kattis import take_any_java
 from judge.kit.files import write_whole
 from judge.kit.paths import ROOT
 from judge.kit.store import Store
@@ -79,6 +80,7 @@ def command(package: Package, scratch: Path, jobs: int) -> int:
     kattis = _unpacked(package, "kattis", scratch)
     bapctools = _unpacked(package, "bapctools", scratch)
     here = dict(_judged(package, jobs))
+    take_any_java(kattis.parent)
     judged = run_tool(
         [find_tool("verifyproblem"), "-p", "submissions", "--", kattis.name], kattis.parent
     )
