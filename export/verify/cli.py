@@ -38,10 +38,23 @@ def verdicts(arguments: Sequence[str]) -> int:
         description="Judge every submission here and with the judges' own tools, and write the "
         "table of verdicts, docs/verdicts.md. Takes the better part of an hour on an idle machine.",
     )
+    add = parser.add_argument
+    add("--kattis", type=Path, metavar="FILE", help="what verifyproblem printed, instead of a run")
+    add("--bapctools", type=Path, metavar="FILE", help="what 'bt run -B' printed, with --kattis")
     add_jobs(parser, processors(), "submissions judged")
     options = parser.parse_args(arguments)
+    if (options.kattis is None) != (options.bapctools is None):
+        parser.error("expected both --kattis and --bapctools, or none")
+    package = load_package()
+    if options.kattis is not None:
+        printed = table.Printed(*(_text(path) for path in (options.kattis, options.bapctools)))
+        return table.compare(package, printed, options.jobs)
     with tempfile.TemporaryDirectory(prefix="verify-", dir=BUILD) as name:
-        return table.command(load_package(), Path(name), options.jobs)
+        return table.compare(package, table.run_tools(package, Path(name)), options.jobs)
+
+
+def _text(path: Path) -> str:
+    return path.read_text(encoding="utf-8", errors="replace")
 
 
 def command(arguments: Sequence[str]) -> int:

@@ -69,12 +69,13 @@ def show_end(text: str) -> None:
         print(printable_name(line, SHOWN_CHARS), file=sys.stderr)
 
 
-def run_tool(command: Sequence[str | Path], directory: Path) -> str:
+def run_tool(command: Sequence[str | Path], directory: Path, *, must_succeed: bool = True) -> str:
     """Run a judge's tool in a directory; return what it printed.
 
     The tool finds the programs of its own environment, and keeps its files beside the directory:
     BAPCtools remembers every problem in the user's configuration, and warns of equal ones. If the
-    tool fails, the end of what it printed goes to standard error. Raises VerifyError.
+    tool must succeed and fails, the end of what it printed goes to standard error. Raises
+    VerifyError.
     """
     name = Path(command[0]).name
     own = directory.parent / "tool"
@@ -99,7 +100,7 @@ def run_tool(command: Sequence[str | Path], directory: Path) -> str:
     except subprocess.TimeoutExpired:
         raise VerifyError(f"{name}: still running after {TIMEOUT_S:,.0f} s") from None
     text = run.stdout.decode(errors="replace")
-    if run.returncode:
+    if run.returncode and must_succeed:
         show_end(text)
         raise VerifyError(f"{name}: expected exit status 0, found {run.returncode}")
     return text

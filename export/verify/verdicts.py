@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 from pathlib import Path
 
 from export.formats.layout import coarse
@@ -72,20 +73,35 @@ def _coarse_word(word: str) -> str:
     return next(iter(coarse(frozenset({Verdict(word)})))).value
 
 
-def command(package: Package, scratch: Path, jobs: int) -> int:
-    """Judge everything everywhere, write docs/verdicts.md; return 0 if all verdicts agree.
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """What the tools printed: verifyproblem, and bt run; several runs may follow each other."""
 
-    Takes the better part of an hour. Raises KitError.
-    """
+    kattis: str
+    bapctools: str
+
+
+def run_tools(package: Package, scratch: Path) -> Printed:
+    """Let the tools judge every submission. Takes the better part of an hour. Raises KitError."""
     kattis = _unpacked(package, "kattis", scratch)
     bapctools = _unpacked(package, "bapctools", scratch)
-    here = dict(_judged(package, jobs))
     take_any_java(kattis.parent)
-    judged = run_tool(
-        [find_tool("verifyproblem"), "-p", "submissions", "--", kattis.name], kattis.parent
+    verifyproblem = (find_tool("verifyproblem"), "-p", "submissions", "--", kattis.name)
+    bt = (find_tool("bt"), "run", "-B")
+    return Printed(
+        run_tool(verifyproblem, kattis.parent, must_succeed=False),
+        run_tool(bt, bapctools, must_succeed=False),
     )
-    there = read_kattis(judged, package)
-    single = dict(BAPCTOOLS_LINE.findall(run_tool([find_tool("bt"), "run", "-B"], bapctools)))
+
+
+def compare(package: Package, printed: Printed, jobs: int) -> int:
+    """Judge every submission here, too; write docs/verdicts.md; return 0 if all verdicts agree.
+
+    Raises KitError.
+    """
+    here = dict(_judged(package, jobs))
+    there = read_kattis(printed.kattis, package)
+    single = dict(BAPCTOOLS_LINE.findall(printed.bapctools))
     rows = [
         _row(package, submission, here[submission.name], there, single)
         for submission in package.submissions
@@ -133,15 +149,15 @@ def _judged(package: Package, jobs: int) -> Iterator[tuple[str, Verdicts]]:
 
 
 def read_kattis(text: str, package: Package) -> dict[str, tuple[list[str], str]]:
-    """Return verdicts by group and points from verifyproblem's table, by the file's name."""
-    table = text.partition("Submission results:")[2].splitlines()[2:]
+    """Return verdicts by group and points from verifyproblem's tables, by the file's name."""
     rows = {}
-    for line in table:
-        if not line.startswith("   "):
-            break
-        file, *cells = line.split()
-        verdicts = [match[1] or NOT_RUN for cell in cells if (match := KATTIS_CELL.fullmatch(cell))]
-        rows[file] = (verdicts[: len(package.groups)], cells[len(package.groups)])
+    groups = len(package.groups)
+    for table in text.split("Submission results:")[1:]:
+        for line in takewhile(lambda line: line.startswith("   "), table.splitlines()[2:]):
+            file, *cells = line.split()
+            found = [KATTIS_CELL.fullmatch(cell) for cell in cells[:groups]]
+            verdicts = [match[1] or NOT_RUN for match in found if match]
+            rows[file] = (verdicts, cells[groups])
     return rows
 
 
