@@ -11,7 +11,7 @@ KATTIS = """\
    wrong_answer/always_no.py (Python 3 (w/PyPy3)) OK: WA [CPU: 0.04s @ testcase secret/1-static/01]
 Submission results:
    Submission             sample       1-static      2-small  3-large  4-many  Pts  Time
-   solution.py            AC(0):0.0s   AC(15):0.10s  AC(15):0.1s  AC(50):2.1s  AC(20):1.0s  100  2.1s
+   solution.py            AC(0):0.0s   AC(15):0.10s  AC(15):0.1s  AC(50):2.1s  AC(20):1.0s  100 2.1s
    brute.py               AC(0):0.07s  AC(15):0.10s  AC(15):0.1s  TLE  TLE  30   7.60s
    always_no.py           WA           WA            -        -        -       0    0.04s
 collisioncourse tested: 0 errors, 0 warnings
