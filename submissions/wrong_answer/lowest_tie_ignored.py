@@ -6,7 +6,6 @@ that leads out of the polygon, and the whole sum is moved by its length.
 """
 
 import functools
-import itertools
 import sys
 
 
@@ -75,7 +74,7 @@ def minkowski_sum(p, q):
 
 def edges(boundary):
     """Return the ways from each vertex to the next."""
-    return [(bx - ax, by - ay) for (ax, ay), (bx, by) in itertools.pairwise(boundary)]
+    return [(bx - ax, by - ay) for (ax, ay), (bx, by) in zip(boundary, boundary[1:])]
 
 
 def by_angle(a, b):
