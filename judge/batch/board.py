@@ -75,7 +75,7 @@ class Board:
         score = "" if row.outcome is None else str(row.outcome.score)
         line.append(f" {score:>4}  {row.student}  {row.file}")
         said = row.reason or diagnosis(row) or failure(row)
-        for text in (said, row.note, "judged before" if row.kept else ""):
+        for text in (said, "judged before" if row.kept else ""):
             line.append(f"  {text}" if text else "", style="dim")
         self._console.print(line, soft_wrap=True)
 

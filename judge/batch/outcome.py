@@ -24,8 +24,9 @@ class Outcome(msgspec.Struct, frozen=True):
     cpu_s: of the slowest case. partial: not all of the kit's cases were chosen. failure: the
     first failure, or what the compiler says, or why there is a judge error. lessons: the ids of
     those that it misses, most telling first. like: the submission of the kit that answers the
-    whole gallery alike, or "". remark: what else the diagnosis says. scale: of the machine, None
-    if none was used. wall: None for none.
+    whole gallery alike, or ""; bug: what that does wrong, completes `a program that ...`. remark:
+    what else the diagnosis says. scale: of the machine, None if none was used. wall: None for
+    none.
     """
 
     verdict: Verdict
@@ -37,6 +38,7 @@ class Outcome(msgspec.Struct, frozen=True):
     failure: str = ""
     lessons: list[str] = []
     like: str = ""
+    bug: str = ""
     remark: str = ""
     scale: float | None = None
     wall: str | None = None
@@ -55,6 +57,7 @@ def outcome_of(judging: Judging) -> Outcome:
         failure=judging.message if failure is None else headline(failure),
         lessons=[] if found is None else [lesson.id for lesson in found.lessons],
         like="" if found is None or found.like is None else found.like.submission,
+        bug="" if found is None or found.like is None else found.like.bug,
         remark="" if found is None else found.remark,
         scale=None if judging.scale is None else judging.scale.factor,
         wall=judging.wall,

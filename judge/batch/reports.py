@@ -74,6 +74,7 @@ def as_json(row: Row) -> dict[str, object]:
         "failure": "" if found is None else found.failure,
         "lessons": [] if found is None else found.lessons,
         "like": "" if found is None else found.like,
+        "bug": "" if found is None else found.bug,
         "remark": "" if found is None else found.remark,
         "note": row.note,
         "reason": row.reason,

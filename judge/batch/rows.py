@@ -105,7 +105,7 @@ def diagnosis(row: Row) -> str:
     found = row.outcome
     if found is None:
         return ""
-    like = f"like {found.like}" if found.like else ""
+    like = f"like a program that {found.bug} ({found.like})" if found.like else ""
     return "; ".join(filter(None, (", ".join(found.lessons), like, found.remark)))
 
 

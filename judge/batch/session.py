@@ -80,10 +80,12 @@ def judge_class(
         tasks = board.tasks(kept, problem, each)
         bar.begin(len(tasks))
         running = stack.enter_context(closing(outcomes(tasks, make, options.jobs, work)))
-        for number, outcome in running:
+        begun = time.monotonic()
+        for done, (number, outcome) in enumerate(running, 1):
             kept.keep(tasks[number], outcome)
             board.judged(tasks[number].submission, outcome)
             bar.advance()
+            bar.say(f"judging, {60 * done / (time.monotonic() - begun):.1f} a minute")
     lessons = {name: lesson.sentence for name, lesson in load_gallery().lessons.items()}
     title = printable_name(path.absolute().name)
     write_report("--csv", places.csv, lambda: to_csv(board.rows, problem))
@@ -129,6 +131,8 @@ def _print_end(console: Console, rows: Sequence[Row], runs: int, seconds: float)
     missed = Counter(lesson for outcome in judged for lesson in outcome.lessons)
     for lesson, many in missed.most_common():
         console.print(Text(f"{many:>5}  missed {lesson}", style="dim"))
+    if alike := sum(bool(row.note) for row in rows):
+        console.print(Text(f"identical or nearly identical to others: {alike}, see the notes"))
     if any(outcome.wall is None and outcome.verdict is not Verdict.JE for outcome in judged):
         console.print(Text("there was no wall around some of the programs", style="yellow"))
     if any(outcome.partial for outcome in judged):

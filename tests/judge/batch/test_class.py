@@ -211,6 +211,7 @@ def test_data_that_changes_meanwhile_keeps_nothing(
     judge = Judge(data)
     place = hand_in("ann.py", new(ECHO))
     pretend = judge._pretend
+    before = (data / "secret/small/02.in").read_text()
 
     def change(task: Task) -> Outcome:
         write_case(data, "secret/small/02", "NO\n", "YES\n")
@@ -219,6 +220,7 @@ def test_data_that_changes_meanwhile_keeps_nothing(
     monkeypatch.setattr(judge, "_pretend", change)
     judge(place)
     monkeypatch.setattr(judge, "_pretend", pretend)
+    write_case(data, "secret/small/02", before, before)
     judge(place)
     assert len(judge.runs) == 1
 

@@ -157,6 +157,14 @@ def test_what_cannot_be_judged_has_a_reason(kind: str, tmp_path: Path) -> None:
     assert {row.submission.language.name for row in told if row.submission} == {"C++"}
 
 
+def test_the_only_students_folder_is_no_wrapper(tmp_path: Path) -> None:
+    folder = "Ann Lee_123_assignsubmission_file_"
+    path = class_of(tmp_path, {f"{folder}/{name}.py": PROGRAM for name in "ab"}, "zip")
+    (row,) = read_class(path, PROBLEM, None)
+    assert (row.student, row.file) == ("Ann Lee", folder)
+    assert "found 2 files" in row.reason
+
+
 def test_an_empty_folder_and_a_link_are_rows(tmp_path: Path) -> None:
     path = class_of(tmp_path, {"ann/a.py": PROGRAM}, "directory")
     (path / "bob").mkdir()

@@ -23,6 +23,7 @@ from judge.problem.declaration import load
 from judge.problem.verdict import Verdict
 
 PROBLEM = load()
+SECONDS = {"nap": 0.3, "sleep": 60}
 
 
 def tasks_of(sources: list[str]) -> list[Task]:
@@ -39,8 +40,8 @@ def pretend(task: Task) -> Outcome:
         os._exit(3)
     if word == "fail":
         raise ValueError("a fault of the judge")
-    if word == "sleep":
-        time.sleep(60)
+    if word in SECONDS:
+        time.sleep(SECONDS[word])
     return Outcome(Verdict.AC, 100, 100, [], 0.0, failure=word)
 
 
@@ -81,7 +82,7 @@ def test_an_executor_that_takes_nothing_ends_with_judge_errors() -> None:
 
 @pytest.mark.slow
 def test_a_worker_that_dies_loses_no_other_task(tmp_path: Path) -> None:
-    sources = ["a", "b", "die", "c", f"die-once {tmp_path / 'died'}", "d"]
+    sources = ["a", "nap", "die", "nap", "nap", f"die-once {tmp_path / 'died'}", "d"]
     found = dict(outcomes(tasks_of(sources), partial(local_workers, 2), 2, pretend))
     verdicts = [found[number].verdict for number in range(len(sources))]
     assert verdicts == [Verdict.JE if text == "die" else Verdict.AC for text in sources]
