@@ -6,8 +6,10 @@ followed, and no more of a file is read than asked for.
 
 from __future__ import annotations
 
+import lzma
 import os
 import stat
+import struct
 import zipfile
 import zlib
 from collections.abc import Callable, Iterator
@@ -23,8 +25,18 @@ MOST_FILES = 200_000
 ZIP_BEGINS = (b"PK\x03\x04", b"PK\x05\x06")  # a member; the end, if there are no members
 LINK, SPECIAL = "expected a regular file, found a link", "expected a regular file, found a device"
 OUTSIDE = "its name leads out of the archive"
-# What Python's zipfile raises for damaged, encrypted and unknown members.
-ZIP_ERRORS = (zipfile.BadZipFile, zlib.error, NotImplementedError, RuntimeError, EOFError, OSError)
+# What Python's zipfile raises for what is damaged, encrypted or unknown. (NotImplementedError is
+# a RuntimeError, and a name that is no UTF-8 a ValueError.)
+ZIP_ERRORS = (
+    zipfile.BadZipFile,
+    zlib.error,
+    lzma.LZMAError,
+    struct.error,
+    RuntimeError,
+    ValueError,
+    EOFError,
+    OSError,
+)
 
 
 class ClassError(KitError):
@@ -55,8 +67,10 @@ def is_class(path: Path) -> bool:
     if path.is_dir():
         return True
     try:
+        if not path.is_file():  # a pipe must not be read here
+            return False
         with path.open("rb") as file:
-            return path.is_file() and file.read(4) in ZIP_BEGINS
+            return file.read(4) in ZIP_BEGINS
     except OSError:
         return False
 
@@ -71,12 +85,13 @@ def entries_of(path: Path) -> Iterator[list[Entry]]:
         yield _limited(path, _in_directory(path))
         return
     try:
-        with zipfile.ZipFile(path) as archive:
-            yield _limited(path, _in_zip(archive))
-    except zipfile.BadZipFile as error:
-        raise ClassError(f"{path}: expected a zip, found a damaged one: {error}") from None
-    except OSError as error:
+        archive = zipfile.ZipFile(path)
+    except PermissionError as error:
         raise ClassError(f"{path}: cannot be read: {error.strerror}") from None
+    except ZIP_ERRORS as error:
+        raise ClassError(f"{path}: expected a zip, found a damaged one: {error}") from None
+    with archive:
+        yield _limited(path, _in_zip(archive))
 
 
 def _limited(path: Path, found: Iterator[Entry]) -> list[Entry]:
@@ -131,7 +146,7 @@ def _in_zip(archive: zipfile.ZipFile) -> Iterator[Entry]:
     for member in members:
         name = _name(member)
         path = PurePosixPath(name)
-        if any(is_hidden(part) for part in path.parts if part != ".."):
+        if not path.parts or any(is_hidden(part) for part in path.parts if part != ".."):
             continue
         if path.is_absolute() or ".." in path.parts or ":" in path.parts[0][1:2]:
             yield _without_content(path, OUTSIDE, is_file=True)

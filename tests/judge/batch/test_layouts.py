@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import os
+import random
 import stat
 import zipfile
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -192,7 +195,8 @@ def test_a_zip_with_hostile_names(tmp_path: Path) -> None:
         archive.writestr("twin.py", PROGRAM)
         with pytest.warns(UserWarning, match="Duplicate"):
             archive.writestr("twin.py", PROGRAM + "#")
-        archive.writestr("zoe/", "")
+        for folder in ("zoe/", "./", "."):
+            archive.writestr(folder, "")
     before = sorted(tmp_path.rglob("*"))
     rows = {row.file: row for row in read_class(path, PROBLEM, None)}
     assert sorted(tmp_path.rglob("*")) == before
@@ -219,6 +223,18 @@ def test_a_damaged_or_encrypted_member_is_a_row(tmp_path: Path) -> None:
     assert "encrypted" in reasons["ann"]
 
 
+def test_a_zip_with_random_faults_is_never_a_traceback(tmp_path: Path) -> None:
+    path = class_of(tmp_path, {f"ann {n}/é.py": PROGRAM * 20 for n in range(3)}, "zip")
+    content, chance = path.read_bytes(), random.Random(11)
+    for _ in range(300):
+        damaged = bytearray(content)
+        for _ in range(chance.randrange(1, 6)):
+            damaged[chance.randrange(4, len(damaged))] = chance.randrange(256)
+        path.write_bytes(damaged)
+        with suppress(ClassError):
+            read_class(path, PROBLEM, None)
+
+
 def test_no_class(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "empty").mkdir()
     (tmp_path / "cut.zip").write_bytes(b"PK\x03\x04 and then nothing")
@@ -227,6 +243,8 @@ def test_no_class(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
             read_class(tmp_path / name, PROBLEM, None)
     assert not is_class(ROOT / "solution.py")
     assert not is_class(tmp_path / "none")
+    os.mkfifo(tmp_path / "pipe")
+    assert not is_class(tmp_path / "pipe"), "it must not be opened"
     many = class_of(tmp_path, {f"{n}.py": PROGRAM for n in range(5)}, "directory")
     monkeypatch.setattr("judge.batch.entries.MOST_FILES", 4)
     with pytest.raises(ClassError, match="at most 4 files"), entries_of(many):
