@@ -8,14 +8,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from judge.kit.text import counted, printable_name
+from judge.languages.chosen import is_hidden, only_source
 from judge.languages.guess import guess
 from judge.languages.submission import Submission, SubmissionError, read_submission
 from judge.languages.table import LANGUAGES, by_suffix
 from judge.languages.toolchain import toolchain
-
-UNPACKED = "__MACOSX"  # what macOS adds to a zip; its other additions begin with a dot
-MOST_NAMED = 5
 
 
 def handed_in(directory: Path) -> Submission:
@@ -40,27 +37,18 @@ def handed_in(directory: Path) -> Submission:
 def find_source(directory: Path) -> Path:
     """Return the only source file below `directory`. Raises SubmissionError: what is there instead.
 
-    Only suffixes of known languages count, unless there is one file alone. Hidden files and links
-    do not count: a link could lead to the reference solution.
+    Hidden files and links do not count: a link could lead to the reference solution.
     """
-    files = sorted(_files(directory))
-    sources = [path for path in files if by_suffix(path)] or files
-    if len(sources) == 1:
-        return sources[0]
-    if not files:
-        raise SubmissionError("expected one source file, found none")
-    names = [printable_name(str(path.relative_to(directory))) for path in sources]
-    shown = ", ".join(names[:MOST_NAMED])
-    more = f" and {len(names) - MOST_NAMED:,} more" if len(names) > MOST_NAMED else ""
-    found = counted(len(names), "file")
-    raise SubmissionError(f"expected one source file, found {found}: {shown}{more}")
+    return directory / only_source(
+        [path.relative_to(directory) for path in sorted(_files(directory))]
+    )
 
 
 def _files(directory: Path) -> Iterator[Path]:
     """Yield the regular files below `directory`, except hidden ones."""
     for folder, folders, names in os.walk(directory):
-        folders[:] = [name for name in folders if name != UNPACKED and not name.startswith(".")]
+        folders[:] = [name for name in folders if not is_hidden(name)]
         for name in names:
             path = Path(folder, name)
-            if not name.startswith(".") and stat.S_ISREG(path.lstat().st_mode):
+            if not is_hidden(name) and stat.S_ISREG(path.lstat().st_mode):
                 yield path

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 EXIT_ACCEPTED, EXIT_REJECTED, EXIT_ERROR = 0, 1, FAILED
 
+SUBMISSION = "source file; '-' or nothing: standard input; a directory or zip: a whole class"
 EXPLAIN = "looks for a smallest input that it gets wrong"
 EXPLAIN_SLOW = "measures what its time grows with"
 
@@ -38,9 +39,11 @@ examples:
   ./checker.py my.py --case 'static/03-*' --time-limit 10
   ./checker.py my.py --data my_cases --json report.json
   ./checker.py < my.py
+  ./checker.py class.zip --csv scores.csv --html report.html --json results.jsonl
   ssh host cat my.java | ./checker.py - --language java
 
-exit status: 0 accepted, 1 not accepted, 2 usage or judge error, 130 interrupted
+exit status: 0 accepted, 1 not accepted, 2 usage or judge error, 130 interrupted; of a class, 0 if
+all were judged
 """
 
 
@@ -103,6 +106,7 @@ def _command(arguments: Sequence[str] | None, explainers: Explainers | None) -> 
 
 def _judge(asked: argparse.Namespace, explainers: Explainers | None, *, hints: bool) -> int:
     # Imported here, so that help and usage errors appear at once.
+    from judge.batch.entries import is_class
     from judge.judging import UNEXPLAINED, Options, judge
     from judge.problem.declaration import load
     from judge.problem.verdict import Verdict
@@ -110,8 +114,7 @@ def _judge(asked: argparse.Namespace, explainers: Explainers | None, *, hints: b
     problem = load()
     if asked.make_answers:
         _make_answers(asked.data)
-    submission = _submission(asked)
-    reports = _reports(asked)
+    places = _places(asked)
     options = Options(
         data=DATA if asked.data is None else asked.data.resolve(),
         groups=tuple(asked.group),
@@ -122,6 +125,14 @@ def _judge(asked: argparse.Namespace, explainers: Explainers | None, *, hints: b
         no_wall=asked.no_wall,
         compact=asked.compact,
     )
+    if asked.submission and is_class(Path(asked.submission)):
+        from judge.batch.command import command
+
+        return command(asked, problem, options)
+    if asked.csv is not None:
+        raise UsageError("--csv: expected a directory or a zip with it, found one submission")
+    submission = _submission(asked)
+    reports = [partial(_write, option, path, _form(option)) for option, path in places]
     from judge.feedback import told
     from judge.kit.console import PlainConsole
     from judge.reports.terminal import live, print_report
@@ -166,12 +177,12 @@ def _make_answers(directory: Path | None) -> None:
         print(f"answered by the reference: {shown(path)}")
 
 
-def _reports(asked: argparse.Namespace) -> list[Callable[[Judging], None]]:
-    """Return the functions that write the reports, after checking that their places can be used."""
-    writers: list[Callable[[Judging], None]] = []
+def _places(asked: argparse.Namespace) -> list[tuple[str, Path]]:
+    """Return the options that ask for reports and their places, after checking these."""
+    found: list[tuple[str, Path]] = []
     taken = {Path(asked.submission or "-").absolute(): "the submission"}
-    asked_for = (("--json", asked.json), ("--junit", asked.junit), ("--html", asked.html))
-    for option, path in asked_for:
+    for option in ("--json", "--junit", "--html", "--csv"):
+        path = getattr(asked, option.removeprefix("--"))
         if path is None:
             continue
         check_place(option, path)
@@ -180,8 +191,8 @@ def _reports(asked: argparse.Namespace) -> list[Callable[[Judging], None]]:
         if other := taken.get(path.absolute()):
             raise UsageError(f"{option} {path}: expected a file of its own, found {other}")
         taken[path.absolute()] = f"the file of {option}"
-        writers.append(partial(_write, option, path, _form(option)))
-    return writers
+        found.append((option, path))
+    return found
 
 
 def _form(option: str) -> Callable[[Judging], bytes]:
@@ -229,7 +240,7 @@ def _parser() -> argparse.ArgumentParser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     add = parser.add_argument
-    add("submission", nargs="?", help="source file; '-' or nothing: standard input")
+    add("submission", nargs="?", help=SUBMISSION)
     add("--language", metavar="NAME", help="language (default: by suffix, else by the text)")
     add("--group", action="append", default=[], metavar="NAME", help="only this group; repeatable")
     add("--case", action="append", default=[], metavar="GLOB", help="only these cases; repeatable")
@@ -242,6 +253,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--json", type=Path, metavar="FILE", help="write the results as JSON")
     add("--junit", type=Path, metavar="FILE", help="write the results as JUnit XML")
     add("--html", type=Path, metavar="FILE", help="write the results as one page to look at")
+    add("--csv", type=Path, metavar="FILE", help="write the scores of a whole class as a table")
     rest = parser.add_mutually_exclusive_group()
     rest.add_argument("--all", action="store_true", help="run the rest of a group after a failure")
     stop = "end each group at its first failure, as its points are all or nothing (the default)"

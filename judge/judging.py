@@ -46,6 +46,7 @@ class Options:
     every case is run.
     no_wall: if no wall works, run even programs that are not the kit's own.
     compact: judge only on the small selection of cases, `compact.json`.
+    scale: of this machine, if it is known; None: the kept one, or measured when it is needed.
     """
 
     data: Path = DATA
@@ -56,6 +57,7 @@ class Options:
     stop_on_first: bool = True
     no_wall: bool = False
     compact: bool = False
+    scale: Scale | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,7 +125,7 @@ def judge(
         data = load_data(
             problem, options.data, options.groups, options.globs, store, compact=options.compact
         )
-        time_limit = _TimeLimit(problem, options.time_limit_s, pool, events)
+        time_limit = _TimeLimit(problem, options, pool, events)
         cases = judging_order(options.data, data.chosen)
         ready = wait_until_ready(pool, compiling, submission)
         results: list[CaseResult] = []
@@ -248,12 +250,13 @@ class _TimeLimit:
     declared one. A scale that was kept from an earlier judging is used from the beginning.
     """
 
-    def __init__(self, problem: Problem, asked_s: float | None, pool: Pool, events: Events) -> None:
+    def __init__(self, problem: Problem, options: Options, pool: Pool, events: Events) -> None:
         self._pool = pool
         self._events = events
+        asked_s = options.time_limit_s
         self.given = asked_s is not None
         self.declared_s = problem.limits.time_limit_s
-        self.scale: Scale | None = None if self.given else kept_scale(problem)
+        self.scale: Scale | None = None if self.given else options.scale or kept_scale(problem)
         self._base = declared_limits(problem.limits, asked_s)
 
     @property

@@ -35,7 +35,7 @@ class KeptVerdicts:
     ) -> None:
         self._store = store
         self._entries = manifest.cases
-        self._head = _digest(
+        self._head = digest_of(
             hashlib.sha256(submission.source).hexdigest(),
             submission.language.name,
             repr(limits),
@@ -60,19 +60,23 @@ class KeptVerdicts:
             self._store.put(KIND, values)
 
     def _key(self, entry: Entry) -> str:
-        return _digest(self._head, entry.input.sha256, entry.answer.sha256)
+        return digest_of(self._head, entry.input.sha256, entry.answer.sha256)
 
 
 @cache
-def judge_digest() -> str:
-    """Return a digest of the code that judges, and of the version of Python."""
+def judge_digest(left_out: tuple[str, ...] = NOT_PART_OF_JUDGING) -> str:
+    """Return a digest of the code that judges, and of the version of Python.
+
+    left_out: folders of the kit whose code does not matter.
+    """
     digest = hashlib.sha256(platform.python_version().encode())
     for path in sorted((ROOT / "judge").rglob("*")):
         name = path.relative_to(ROOT).as_posix()
-        if path.suffix in (".py", ".toml") and not name.startswith(NOT_PART_OF_JUDGING):
+        if path.suffix in (".py", ".toml") and not name.startswith(left_out):
             digest.update(f"\0{name}\0".encode() + path.read_bytes())
     return digest.hexdigest()
 
 
-def _digest(*parts: str) -> str:
+def digest_of(*parts: str) -> str:
+    """Return a digest of texts that hold no zero byte."""
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()

@@ -33,12 +33,17 @@ class Bar:
 
 @contextmanager
 def progress_bar(
-    description: str, total: int | None = None, console: Console | None = None
+    description: str,
+    total: int | None = None,
+    console: Console | None = None,
+    *,
+    forecast: bool = False,
 ) -> Iterator[Bar]:
     """Show a bar while the block runs, and remove it afterwards.
 
     total: the number of steps; None: not known yet. console: where to show the bar; None:
-    standard error. Nothing is shown if that is not a terminal.
+    standard error. forecast: also show the time left, from the recent rate. Nothing is shown if
+    that is not a terminal.
     """
     from rich.progress import (
         BarColumn,
@@ -47,13 +52,16 @@ def progress_bar(
         SpinnerColumn,
         TextColumn,
         TimeElapsedColumn,
+        TimeRemainingColumn,
     )
 
     from judge.kit.console import PlainConsole
 
     console = console or PlainConsole(stderr=True)
     text = TextColumn("{task.description}", markup=False)
-    columns = (SpinnerColumn(), text, BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    columns = [SpinnerColumn(), text, BarColumn(), MofNCompleteColumn(), TimeElapsedColumn()]
+    if forecast:
+        columns += [TextColumn("time left"), TimeRemainingColumn()]
     with Progress(
         *columns, console=console, transient=True, disable=not console.is_terminal
     ) as progress:

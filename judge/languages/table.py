@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import Annotated
 
 import msgspec
@@ -58,7 +58,7 @@ def by_name(name: str) -> Language:
     raise LanguageError(f"unknown language {name!r}{near}; expected one of {', '.join(names)}")
 
 
-def by_suffix(path: Path) -> Language | None:
+def by_suffix(path: PurePath) -> Language | None:
     """Return the language that has the suffix of `path`, None if there is none."""
     suffix = path.suffix.lower()
     return next((language for language in LANGUAGES if suffix in language.suffixes), None)

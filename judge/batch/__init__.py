@@ -1,0 +1,1 @@
+"""A whole class: a directory or a zip of hand-ins, judged one row each."""
