@@ -72,7 +72,8 @@ def judge_class(
         data = load_data(
             problem, options.data, options.groups, options.globs, store, compact=options.compact
         )
-        each = replace(options, jobs=1, scale=_scale(problem, options))
+        others = (path.absolute(),) if path.is_dir() else ()
+        each = replace(options, jobs=1, scale=_scale(problem, options), hidden=others)
         kept = KeptOutcomes(store, problem, each, data)
         lines = None if places.json is None else JsonLines("--json", places.json)
         board = Board(rows, console, None if lines is None else stack.enter_context(lines))

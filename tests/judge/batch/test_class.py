@@ -120,6 +120,7 @@ class Judge:
         self.options = Options(data=data, jobs=2, time_limit_s=5.0, no_wall=True)
         self.problem = load()
         self.verdict = Verdict.AC
+        self.hidden: tuple[Path, ...] = ()
 
     def __call__(self, place: Path, places: Places | None = None) -> list[Verdict | None]:
         self.runs = []
@@ -137,6 +138,7 @@ class Judge:
 
     def _pretend(self, task: Task) -> Outcome:
         self.runs.append(task.submission.source)
+        self.hidden = task.options.hidden
         groups = [GroupOutcome("static", self.verdict, 15, 15)]
         return Outcome(self.verdict, 15, 100, groups, 0.1, lessons=["answers"])
 
@@ -148,6 +150,7 @@ def test_each_program_is_judged_once(hand_in: Callable[[str, str], Path], data: 
     hand_in("other.py", other)
     place = hand_in("as_text", right)  # it has no suffix, and is Python by its text
     assert judge(place) == [Verdict.AC] * 7
+    assert judge.hidden == (place,), "no program may see the others"
     assert sorted(judge.runs) == sorted([right.encode(), other.encode()])
     (place / "as_text").rename(place / "in_another_language.cpp")
     judge(place)
