@@ -47,6 +47,7 @@ class Options:
     no_wall: if no wall works, run even programs that are not the kit's own.
     compact: judge only on the small selection of cases, `compact.json`.
     scale: of this machine, if it is known; None: the kept one, or measured when it is needed.
+    hidden: directories that no program may see, besides the data and those of the kit.
     """
 
     data: Path = DATA
@@ -58,6 +59,7 @@ class Options:
     no_wall: bool = False
     compact: bool = False
     scale: Scale | None = None
+    hidden: tuple[Path, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,7 +119,7 @@ def judge(
         problem,
         without_wall,
         keepers=options.jobs if executor is None else 1,
-        hidden=(options.data,),
+        hidden=(options.data, *options.hidden),
     )
     events.phase(f"compiling {printable_name(submission.name)} ({submission.language.name})")
     with Store() as store, Pool(job, options.jobs, executor) as pool:

@@ -14,6 +14,7 @@ from typing import Self
 import msgspec
 
 from judge.batch.rows import Row, diagnosis, failure, points
+from judge.batch.similar import LEAST, K
 from judge.kit.files import FileError
 from judge.problem.declaration import Problem
 from judge.reports.html import MEANING
@@ -21,6 +22,7 @@ from judge.reports.page import render
 
 TEMPLATES = Path(__file__).with_name("templates")
 FORMULA = ("=", "+", "-", "@")  # a spreadsheet computes a cell that begins so
+FIRST_LESSONS = 8  # on the page; the others are folded
 CODEC = "utf-8-sig"  # with a byte order mark, or Excel takes it for another encoding
 
 
@@ -132,6 +134,9 @@ def to_page(rows: Sequence[Row], problem: Problem, title: str, lessons: Mapping[
         solved=solved,
         missed=[(lesson, many, lessons.get(lesson, "")) for lesson, many in missed.most_common()],
         partial=any(outcome.partial for outcome in judged),
+        first=FIRST_LESSONS,
+        least=round(100 * LEAST),
+        tokens=K,
         mean=sum(outcome.score for outcome in judged) / len(judged) if judged else 0.0,
         max_score=problem.max_score,
         points=points,

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from judge.batch.entries import UnreadableError
 from judge.batch.layouts import HandIn
 from judge.batch.outcome import Outcome
-from judge.batch.similar import K, nearly_identical, shingles
+from judge.batch.similar import nearly_identical, shingles
 from judge.kit.errors import KitError
 from judge.kit.text import printable_name
 from judge.languages.chosen import only_source
@@ -84,7 +84,7 @@ def notes(rows: Sequence[Row]) -> list[str]:
     found = [""] * len(rows)
     for place, group in enumerate(groups):
         close = [
-            f"{_called(rows[groups[other][0]])} ({int(100 * share)} % of the {K}-token sequences)"
+            f"{_called(rows[groups[other][0]])} ({int(100 * share)} %)"
             for share, other in near.get(place, [])
         ]
         for number in group:

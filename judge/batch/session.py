@@ -72,7 +72,8 @@ def judge_class(
         data = load_data(
             problem, options.data, options.groups, options.globs, store, compact=options.compact
         )
-        each = replace(options, jobs=1, scale=_scale(problem, options))
+        others = (path.absolute(),) if path.is_dir() else ()
+        each = replace(options, jobs=1, scale=_scale(problem, options), hidden=others)
         kept = KeptOutcomes(store, problem, each, data)
         lines = None if places.json is None else JsonLines("--json", places.json)
         board = Board(rows, console, None if lines is None else stack.enter_context(lines))
@@ -126,8 +127,6 @@ def _print_end(console: Console, rows: Sequence[Row], runs: int, seconds: float)
     verdicts = Counter(outcome.verdict for outcome in judged)
     for verdict, many in verdicts.most_common():
         console.print(verdict_text(verdict, width=4).append(f" {many:>5}"))
-    if len(judged) < len(rows):
-        console.print(Text(f"not judged {len(rows) - len(judged):>3}"))
     missed = Counter(lesson for outcome in judged for lesson in outcome.lessons)
     for lesson, many in missed.most_common():
         console.print(Text(f"{many:>5}  missed {lesson}", style="dim"))
@@ -138,7 +137,10 @@ def _print_end(console: Console, rows: Sequence[Row], runs: int, seconds: float)
     if any(outcome.partial for outcome in judged):
         console.print(Text("partial: not all of the kit's cases were chosen", style="yellow"))
     rate = f", {runs / seconds * 60:.1f} a minute" if runs else ""
-    console.print(
-        f"{counted(len(rows), 'hand-in')}: {counted(runs, 'program')} judged in "
-        f"{seconds:.0f} s{rate}; the others were judged before, are identical, or cannot be judged"
-    )
+    parts = [
+        f"{counted(len(rows), 'hand-in')}: {counted(runs, 'program')} judged in {seconds:.0f} s"
+    ]
+    before = sum(row.kept for row in rows)
+    parts += [f"{counted(before, 'hand-in')} judged before"] if before else []
+    parts += [f"{len(rows) - len(judged)} not judged"] if len(judged) < len(rows) else []
+    console.print("; ".join([parts[0] + rate, *parts[1:]]))

@@ -23,11 +23,14 @@ from judge.batch.outcome import GroupOutcome, Outcome
 from judge.batch.reports import plain
 from judge.batch.session import Places, judge_class
 from judge.batch.tasks import Task, judge_task
-from judge.judging import Options
+from judge.judging import JudgeError, Options
 from judge.kit.console import PlainConsole
 from judge.kit.paths import ROOT
+from judge.languages.submission import from_source
 from judge.problem.declaration import Feedback, load
 from judge.problem.verdict import Verdict
+from judge.sandbox.probe import NoWallError
+from judge.sandbox.sandbox import Sandbox
 
 from ..conftest import WRONG, write_case
 
@@ -117,6 +120,7 @@ class Judge:
         self.options = Options(data=data, jobs=2, time_limit_s=5.0, no_wall=True)
         self.problem = load()
         self.verdict = Verdict.AC
+        self.hidden: tuple[Path, ...] = ()
 
     def __call__(self, place: Path, places: Places | None = None) -> list[Verdict | None]:
         self.runs = []
@@ -134,6 +138,7 @@ class Judge:
 
     def _pretend(self, task: Task) -> Outcome:
         self.runs.append(task.submission.source)
+        self.hidden = task.options.hidden
         groups = [GroupOutcome("static", self.verdict, 15, 15)]
         return Outcome(self.verdict, 15, 100, groups, 0.1, lessons=["answers"])
 
@@ -145,6 +150,7 @@ def test_each_program_is_judged_once(hand_in: Callable[[str, str], Path], data: 
     hand_in("other.py", other)
     place = hand_in("as_text", right)  # it has no suffix, and is Python by its text
     assert judge(place) == [Verdict.AC] * 7
+    assert judge.hidden == (place,), "no program may see the others"
     assert sorted(judge.runs) == sorted([right.encode(), other.encode()])
     (place / "as_text").rename(place / "in_another_language.cpp")
     judge(place)
@@ -225,11 +231,37 @@ def test_data_that_changes_meanwhile_keeps_nothing(
     assert len(judge.runs) == 1
 
 
+def test_without_a_wall_nothing_is_judged(
+    hand_in: Callable[[str, str], Path], data: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def none(*_: object, **__: object) -> Sandbox:
+        raise NoWallError("it is an old kernel")
+
+    monkeypatch.setattr("judge.batch.session.walled_sandbox", none)
+    judge = Judge(data)
+    with pytest.raises(JudgeError, match=r"an old kernel.*--no-wall"):
+        judge(hand_in("ann.py", new(ECHO)))
+    assert judge.runs == []
+
+
+def test_a_missing_compiler_is_a_judge_error_of_these_rows(
+    checker: Checker, hand_in: Callable[[str, str], Path], data: Path, tmp_path: Path
+) -> None:
+    hand_in("ann.py", new(ECHO))
+    place = hand_in("bob.cpp", f"// {uuid.uuid4()}\nint main() {{}}\n")
+    env = {**os.environ, "PATH": "/nowhere", "TMPDIR": str(tmp_path / "scratch")}
+    report = tmp_path / "r.jsonl"
+    options = ("--data", data, "--group", "sample", "--time-limit", 5, "--json", report)
+    done = checker(place, *options, env=env)
+    assert done.returncode == 2, done.stderr
+    rows = {row["student"]: row for row in lines_of(report)}
+    assert (rows["ann"]["verdict"], rows["bob"]["verdict"]) == ("AC", "JE")
+    assert "'g++' is not installed" in str(rows["bob"]["failure"])
+
+
 def test_feedback_decides_what_a_class_report_says(data: Path) -> None:
     feedback = Feedback(tell="verdict", name_secret_cases=False)
     problem = msgspec.structs.replace(load(), feedback=feedback)
-    from judge.languages.submission import from_source
-
     options = Options(data=data, time_limit_s=5.0, no_wall=True)
     outcome = judge_task(Task(from_source(WRONG.encode(), "w.py"), problem, options))
     assert (outcome.verdict, outcome.lessons, outcome.like) == (Verdict.WA, [], "")

@@ -64,5 +64,5 @@ def test_notes_name_the_others() -> None:
     rows.append(Row("nobody", "6.py", False, None, "expected one source file, found none"))
     found = notes(rows)
     assert found[0].startswith("identical to student 1, 1.py; nearly identical to student 2")
-    assert found[2].startswith("nearly identical to student 0, 0.py (98 % of")
+    assert found[2].startswith("nearly identical to student 0, 0.py (98 %)")
     assert found[3:] == ["", "", ""]
