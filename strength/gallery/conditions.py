@@ -16,7 +16,7 @@ from gen.scenario import Scenario
 BEYOND_16_BITS, BEYOND_20_BITS = 20_000, 1_000_000  # least |coordinate| of some vertex
 BEYOND_PRODUCTS = 15_000_000  # from here on, sums of two products can exceed 10^15
 END = Fraction(1)
-SHORT_CONTACT = Fraction(1, 5)  # of the move
+SHORT_CONTACT = Fraction(1, 12)  # of the move
 
 
 def conditions_of(scenario: Scenario) -> frozenset[str]:
@@ -67,7 +67,7 @@ class _Touch:
     """How the robot meets one obstacle: from and to which part of the move, and where.
 
     boundary_only: sweep and obstacle share no inner point. starts_outside: the same of the
-    robot at its start. corners: a vertex of the sweep is one of the obstacle.
+    robot at its start. corners: a vertex of one is on the boundary of the other.
     no_vertex_inside: the sweep has no vertex in the obstacle, nor the reverse.
     """
 
@@ -156,7 +156,8 @@ class _View:
             last=min(last, Fraction(1)),
             boundary_only=_place(met) == 0,
             starts_outside=start <= 0,
-            corners=not set(self.swept).isdisjoint(obstacle),
+            corners=any(_place(obstacle, vertex) == 0 for vertex in self.swept)
+            or any(_place(self.swept, vertex) == 0 for vertex in obstacle),
             robot_inside=all(robot_in),
             obstacle_inside=all(obstacle_in),
             no_vertex_inside=not any(robot_in) and not any(obstacle_in),

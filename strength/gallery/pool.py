@@ -84,9 +84,10 @@ def _all() -> Iterator[Candidate]:
         for repeat in REPEATS:
             for number, scenario in enumerate(parse(render_family(family, full, repeat)), 1):
                 made = {"family": family, "parameters": full, "repeat": repeat, "scenario": number}
-                if repeat == TURNED_REPEAT:
-                    made["turn"] = number % TURNS
-                yield Candidate(turned(scenario, made.get("turn", 0)), made)
+                turn = number % TURNS if repeat == TURNED_REPEAT else 0
+                if turn:
+                    made["turn"] = turn
+                yield Candidate(turned(scenario, turn), made)
     randomly = random_scenarios(RANDOM_SEED, RANDOM_SCENARIOS + 1)
     for number, (scenario, following) in enumerate(pairwise(randomly), 1):
         made = {"seed": RANDOM_SEED, "scenario": number}
@@ -115,6 +116,21 @@ def turned(scenario: Scenario, turn: int) -> Scenario:
     return Scenario(
         polygon(scenario.robot), point(scenario.move), list(map(polygon, scenario.obstacles))
     )
+
+
+def disguised(scenario: Scenario, turn: int) -> Scenario:
+    """Return the same question: turned, with other first vertices and orders of obstacles.
+
+    A program asked in this disguise is a mutant of itself: its mistake comes mirrored.
+    """
+
+    def begun(polygon: Polygon) -> Polygon:
+        at = turn % len(polygon)
+        return polygon[at:] + polygon[:at]
+
+    scenario = turned(scenario, turn)
+    obstacles = [begun(obstacle) for obstacle in scenario.obstacles]
+    return Scenario(begun(scenario.robot), scenario.move, obstacles[:: -1 if turn % 2 else 1])
 
 
 def _joined(scenario: Scenario, following: Scenario) -> Scenario:
