@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from gen.scenario import render
 from judge.diagnosis.gallery import NO, YES, Lesson, Scene
 from strength.gallery.conditions import conditions_of, obstacles_met
-from strength.gallery.features import NUMBERS, SPECIAL, features_of
+from strength.gallery.features import LARGE, NUMBERS, SPECIAL, features_of
 from strength.gallery.pool import Candidate
 
 PER_SUBMISSION = 2
@@ -30,9 +30,10 @@ def shortlist(
     """Return the best candidates for each submission in each lesson that it misses.
 
     right: the answers to the pool, one letter each; answers: those of each submission. Best is
-    a scene that the programs of few other lessons fail, that meets the lesson's condition and is
-    special in no other way, that many of its own lesson fail, and that is small. Large numbers are the last resort. Programs
-    that fail half of the pool, or always say the same, have no scenes. O(pool * submissions).
+    a scene that the programs of few other lessons fail, that meets the lesson's condition and
+    is special in no other way, that many of its own lesson fail, and that is small. Large
+    numbers are the last resort. Programs that fail half of the pool, or always say the same,
+    have no scenes. O(pool * submissions).
     """
     fails = {name: failed(given, right) for name, given in answers.items() if len(set(given)) > 1}
     fails = {name: found for name, found in fails.items() if 2 * len(found) < len(pool)}
@@ -52,7 +53,9 @@ def shortlist(
             mates = sum(name in own for name in killers[index])
             wanted = with_condition & {lesson}
             strange = meets[index] & (SPECIAL | {lesson}) ^ wanted
-            large = lesson not in NUMBERS and not strange.isdisjoint(NUMBERS)
+            if lesson in LARGE:
+                strange -= NUMBERS - {lesson}
+            large = not strange.isdisjoint(NUMBERS)
             return large, len(killers[index]) - mates + len(strange), -mates, pool[index].size
 
         short[lesson] = {name: sorted(fails[name], key=cost)[:COMPARED] for name in own}

@@ -14,7 +14,6 @@ from gen.geometry import Point, Polygon, cross, hull, minus, primitive, sweep, t
 from gen.scenario import Scenario
 
 BEYOND_16_BITS, BEYOND_20_BITS = 20_000, 1_000_000  # least |coordinate| of some vertex
-BEYOND_PRODUCTS = 15_000_000  # from here on, sums of two products can exceed 10^15
 END = Fraction(1)
 SHORT_CONTACT = Fraction(1, 12)  # of the move
 
@@ -32,7 +31,8 @@ def conditions_of(scenario: Scenario) -> frozenset[str]:
         "every-moment": view.every(
             lambda touch: touch.first > 0 and touch.last < min(touch.first + SHORT_CONTACT, END)
         ),
-        "bounding-shapes": view.free and any(map(view.boxes_meet, view.obstacles)),
+        "bounding-shapes": (view.free and any(map(view.boxes_meet, view.obstacles)))
+        or view.every(lambda touch: touch.boundary_only),
         "touch": view.every(lambda touch: touch.boundary_only),
         "touch-corners": view.every(lambda touch: touch.corners),
         "touch-at-start": view.every(lambda touch: touch.first == 0 and touch.starts_outside),
@@ -42,7 +42,6 @@ def conditions_of(scenario: Scenario) -> frozenset[str]:
         "ray-through-vertex": any(map(view.is_level_with, view.obstacles)),
         "obstacle-inside": view.every(lambda touch: touch.obstacle_inside),
         "edges-cross": view.every(lambda touch: touch.no_vertex_inside),
-        "corners-of-both": view.every(lambda touch: touch.first > 0),
         "end-of-the-move": view.free and any(map(view.would_meet, view.obstacles)),
         "edge-along-move": not view.still and view.has_edge_along_move,
         "axes-of-both": view.free and bool(view.obstacles),
@@ -51,7 +50,7 @@ def conditions_of(scenario: Scenario) -> frozenset[str]:
         "same-x": any(map(_has_vertical_edge, (view.swept, *view.obstacles))),
         "same-shape": any(map(view.is_like_robot, view.obstacles)),
         "products": view.reach > BEYOND_16_BITS,
-        "start-value": view.reach > BEYOND_PRODUCTS,
+        "start-value": view.reach > BEYOND_16_BITS,
         "exact": view.reach > BEYOND_20_BITS,
     }
     return frozenset(lesson for lesson, holds in met.items() if holds)

@@ -14,7 +14,8 @@ SPECIAL = frozenset(
         *("touch-corners", "vertical-move"),
     }
 )
-NUMBERS = frozenset({"products", "exact", "start-value"})  # lessons that need large numbers
+NUMBERS = frozenset({"products", "exact", "start-value"})  # conditions that large numbers meet
+LARGE = NUMBERS | {"every-moment"}  # lessons that need large numbers, or long moves
 
 
 def features_of(scenario: Scenario) -> frozenset[str]:

@@ -1,6 +1,6 @@
 // Counts two edges where a ray passes through a vertex, so inside is taken for outside.
 //
-// A robot wholly inside an obstacle is looked for by a ray from its lowest vertex. At the height
+// A robot wholly inside an obstacle is looked for by a ray from its first vertex. At the height
 // of the ray, each edge must have one of its ends, not both.
 
 #include <algorithm>
@@ -85,9 +85,6 @@ class Sweep {
         return side(corners_[right], corners_[left], p) >= 0;
     }
 
-    // The lowest, then leftmost, vertex.
-    Point lowest() const { return corners_[0]; }
-
   private:
     Polygon corners_;                // from the lowest, then leftmost, on
     std::vector<Point> directions_;  // of the edge that begins at each corner, ascending
@@ -113,7 +110,8 @@ bool surrounds(const Polygon& polygon, Point p) {
     return inside;
 }
 
-bool meets(const Sweep& sweep, const Polygon& obstacle) {
+// first: the first vertex of the robot.
+bool meets(const Sweep& sweep, Point first, const Polygon& obstacle) {
     for (Point vertex : obstacle)
         if (sweep.contains(vertex)) return true;
 
@@ -122,7 +120,7 @@ bool meets(const Sweep& sweep, const Polygon& obstacle) {
         if (meets_chord(a, b, sweep.rightmost(b - a), sweep.rightmost(a - b))) return true;
         a = b;
     }
-    return surrounds(obstacle, sweep.lowest());
+    return surrounds(obstacle, first);
 }
 
 int64_t read_integer() {
@@ -152,12 +150,13 @@ int main() {
         int64_t m = read_integer();
         int64_t k = read_integer();
         Point displacement = read_point();
-        const Sweep sweep(read_polygon(m), displacement);
+        const Polygon robot = read_polygon(m);
+        const Sweep sweep(robot, displacement);
 
         bool free = true;
         for (; k > 0; --k) {
             Polygon obstacle = read_polygon(read_integer());  // read even if the answer is known
-            free = free && !meets(sweep, obstacle);
+            free = free && !meets(sweep, robot[0], obstacle);
         }
         puts(free ? "YES" : "NO");
     }
