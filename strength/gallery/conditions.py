@@ -50,7 +50,7 @@ def conditions_of(scenario: Scenario) -> frozenset[str]:
         "same-x": any(map(_has_vertical_edge, (view.swept, *view.obstacles))),
         "same-shape": any(map(view.is_like_robot, view.obstacles)),
         "products": view.reach > BEYOND_16_BITS,
-        "start-value": view.reach > BEYOND_16_BITS,
+        "start-value": view.reach > BEYOND_20_BITS,
         "exact": view.reach > BEYOND_20_BITS,
     }
     return frozenset(lesson for lesson, holds in met.items() if holds)
