@@ -19,7 +19,7 @@ from judge.sandbox.facts import RunLimits
 # Lessons that no scene teaches: they show in how the output looks, or in the exit status.
 ANSWERS, CHANCE, SEPARATE = "answers", "chance", "separate-scenarios"
 ONE_LINE_EACH, EXIT_STATUS = "one-line-each", "exit-status"
-PRODUCTS, EXACT = "products", "exact"
+PRODUCTS, EXACT, START_VALUE = "products", "exact", "start-value"
 PRODUCTS_FROM, PRODUCTS_BELOW = 8_000, 150_000  # numbers in whose products 32 bits overflow first
 FEW = 0.1  # of all scenes
 KNOWS = "It answers every tiny scene of the gallery correctly."
@@ -143,7 +143,7 @@ def after_example(gallery: Gallery, diagnosis: Diagnosis, example: Counterexampl
         remark = diagnosis.remark if diagnosis.lessons else f"{KNOWS} {OUT_OF_STEP}"
         lessons = (*diagnosis.lessons, _lesson(gallery, ONE_LINE_EACH))
         return replace(diagnosis, lessons=lessons, remark=remark)
-    if not told <= {EXACT}:
+    if not told <= {EXACT, START_VALUE}:
         return diagnosis
     tiny = example.vertices <= gallery.most_vertices
     if tiny and PRODUCTS_FROM <= largest < PRODUCTS_BELOW:

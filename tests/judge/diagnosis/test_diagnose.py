@@ -107,6 +107,9 @@ def test_a_counterexample_tells_32_bits_from_rounding():
     assert [lesson.id for lesson in seen.lessons] == ["products", "exact"]
     assert "23,435" in seen.remark
     assert after_example(gallery, found, example(50_000_000)) == found
+    start = MissedLesson("start-value", "Begin beyond all values.", ("start-value-1",))
+    seen = after_example(gallery, replace(found, lessons=(start, exact)), example(23_435))
+    assert [lesson.id for lesson in seen.lessons] == ["products", "start-value", "exact"]
     touch = Diagnosis((MissedLesson("touch", "Touch.", ()),), None, "", 135, 1)
     assert after_example(gallery, touch, example(23_435)) == touch
 
