@@ -31,6 +31,11 @@ class Mismatch:
     expected: str | None
     found: str | None
 
+    @property
+    def out_of_step(self) -> bool:
+        """Whether the output has too few or too many tokens."""
+        return self.expected is None or self.found is None
+
     def __str__(self) -> str:
         where = f"line {self.line}, column {self.column}"
         if self.expected is None:

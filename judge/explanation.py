@@ -75,7 +75,9 @@ class Counterexample:
     the first wrong one takes the place of the last). obstacles, vertices: of the last scenario.
     sentence: why the expected answer is right. picture: SVG text, empty if there is none. file:
     where the input is kept, None if it is kept nowhere. seconds: what the search took. steps:
-    remarks on the search, such as the seed that repeats it.
+    remarks on the search, such as the seed that repeats it. in_step: False if the program ended
+    well but did not print one word for each scenario. special: clauses that say what is special
+    in the last scenario, exact facts, as `the move is vertical (dx = 0)`.
     """
 
     input: str
@@ -89,6 +91,8 @@ class Counterexample:
     file: Path | None = None
     seconds: float = 0.0
     steps: tuple[str, ...] = field(default=())
+    in_step: bool = True
+    special: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

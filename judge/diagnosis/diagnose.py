@@ -19,9 +19,11 @@ from judge.sandbox.facts import RunLimits
 # Lessons that no scene teaches: they show in how the output looks, or in the exit status.
 ANSWERS, CHANCE, SEPARATE = "answers", "chance", "separate-scenarios"
 ONE_LINE_EACH, EXIT_STATUS = "one-line-each", "exit-status"
-PRODUCTS, EXACT = "products", "exact"
+PRODUCTS, EXACT, START_VALUE = "products", "exact", "start-value"
 PRODUCTS_FROM, PRODUCTS_BELOW = 8_000, 150_000  # numbers in whose products 32 bits overflow first
 FEW = 0.1  # of all scenes
+KNOWS = "It answers every tiny scene of the gallery correctly."
+OUT_OF_STEP = "But it does not print one line for each scenario, as the input below shows."
 DIAGNOSED = (Verdict.WA, Verdict.RTE)
 
 
@@ -43,6 +45,9 @@ def diagnose(
     diagnosis = read(gallery, answers)
     if diagnosis.lessons or diagnosis.remark:
         return diagnosis
+    if any(result.mismatch is not None and result.mismatch.out_of_step for result in cases):
+        lessons = (_lesson(gallery, ONE_LINE_EACH),)
+        return Diagnosis(lessons, None, "", diagnosis.scenes, 0)
     return Diagnosis((), None, what_is_left(problem, cases), diagnosis.scenes, 0)
 
 
@@ -109,44 +114,75 @@ def what_is_left(problem: Problem, cases: Sequence[CaseResult]) -> str:
     """Return a sentence for a program that answers the whole gallery correctly. Pure."""
     bounds, small = problem.constraints, _small_groups(problem)
     failed = [result for result in cases if result.verdict in DIAGNOSED]
-    right = "It answers every tiny scene of the gallery correctly."
     sizes = (
         f"(up to {bounds.max_vertices:,} vertices and {bounds.max_scenarios:,} scenarios in a file)"
     )
     if not all(result.case.group in problem.group_names for result in failed):
-        return right
+        return KNOWS
     if all(result.verdict is Verdict.RTE for result in failed):
-        return f"{right} It crashes on larger files: look at array sizes and recursion {sizes}."
+        return f"{KNOWS} It crashes on larger files: look at array sizes and recursion {sizes}."
     if any(result.case.group in small for result in failed):
         return (
-            f"{right} It fails on small files, too: look for rounding or overflow (coordinates go "
+            f"{KNOWS} It fails on small files, too: look for rounding or overflow (coordinates go "
             f"up to {bounds.max_coordinate:,}) and for rare positions."
         )
-    return f"{right} It fails on large files only: look at fixed sizes and limits on steps {sizes}."
+    return f"{KNOWS} It fails on large files only: look at fixed sizes and limits on steps {sizes}."
 
 
 def after_example(gallery: Gallery, diagnosis: Diagnosis, example: Counterexample) -> Diagnosis:
     """Return the diagnosis in the light of a smallest counterexample. Pure.
 
-    Numbers do not shrink below what a bug needs: near those whose products just exceed 32
-    bits, doubles are still exact.
+    Numbers do not shrink below what a bug needs, and tiny polygons can have tiny numbers. Near
+    numbers whose products just exceed 32 bits, doubles are still exact.
     """
     largest = max(map(abs, map(int, example.input.split())))
-    if any(lesson.id != EXACT for lesson in diagnosis.lessons):
+    told = {lesson.id for lesson in diagnosis.lessons}
+    if not example.in_step:
+        if ONE_LINE_EACH in told:
+            return diagnosis
+        remark = diagnosis.remark if diagnosis.lessons else f"{KNOWS} {OUT_OF_STEP}"
+        lessons = (*diagnosis.lessons, _lesson(gallery, ONE_LINE_EACH))
+        return replace(diagnosis, lessons=lessons, remark=remark)
+    if not told <= {EXACT, START_VALUE}:
         return diagnosis
-    if PRODUCTS_FROM <= largest < PRODUCTS_BELOW:
-        products = MissedLesson(PRODUCTS, gallery.lessons[PRODUCTS].sentence, ())
+    tiny = example.vertices <= gallery.most_vertices
+    if tiny and PRODUCTS_FROM <= largest < PRODUCTS_BELOW:
         remark = (
             f"Its smallest counterexample has numbers of {largest:,}: 32 bits are exceeded there."
         )
-        return replace(diagnosis, lessons=(products, *diagnosis.lessons), remark=remark)
-    if not diagnosis.lessons and not diagnosis.wrong and largest < PRODUCTS_FROM:
+        lessons = (_lesson(gallery, PRODUCTS), *diagnosis.lessons)
+        return replace(diagnosis, lessons=lessons, remark=remark)
+    if told or diagnosis.wrong:
+        return diagnosis
+    if largest < PRODUCTS_FROM:
+        return replace(diagnosis, remark=_on_small(gallery, example))
+    if tiny and largest >= PRODUCTS_BELOW:
         remark = (
-            "It answers every tiny scene of the gallery correctly, but not the small input below: "
-            "its numbers are small, so it is no overflow. Look for what is special in it."
+            f"{KNOWS} Its smallest counterexample has numbers of {largest:,}: with small numbers "
+            "no wrong answer was found."
         )
-        return replace(diagnosis, remark=remark)
+        return replace(diagnosis, lessons=(_lesson(gallery, EXACT),), remark=remark)
     return diagnosis
+
+
+def _lesson(gallery: Gallery, lesson: str) -> MissedLesson:
+    return MissedLesson(lesson, gallery.lessons[lesson].sentence, ())
+
+
+def _on_small(gallery: Gallery, example: Counterexample) -> str:
+    """Return what a counterexample with small numbers says of a program that knows the gallery."""
+    said = (
+        f"{KNOWS[:-1]}, but not the small input below. The numbers in it are small, so it is no "
+        "overflow."
+    )
+    if example.vertices > gallery.most_vertices:
+        said += (
+            f" It has {example.vertices} vertices, more than any gallery scene: look at what "
+            "depends on the number of vertices, such as a limit on steps or the size of an array."
+        )
+    if example.special:
+        said += f" In it, {'; '.join(example.special)}."
+    return said
 
 
 def _small_groups(problem: Problem) -> frozenset[str]:

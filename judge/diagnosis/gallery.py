@@ -60,6 +60,11 @@ class Scene(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return int(self.input.split(maxsplit=2)[1])
 
     @property
+    def vertices(self) -> int:
+        """The number of its vertices: a line each, after two lines, and one for each obstacle."""
+        return self.input.count("\n") - 2 - self.obstacles
+
+    @property
     def size(self) -> tuple[int, int]:
         """The number of its lines, then of its characters: the least is the simplest to look at."""
         return self.input.count("\n"), len(self.input)
@@ -91,6 +96,11 @@ class Gallery:
     def taught(self) -> frozenset[str]:
         """The lessons that have scenes; the others show in the shape of the output."""
         return frozenset(scene.lesson for scene in self.scenes)
+
+    @cached_property
+    def most_vertices(self) -> int:
+        """The number of vertices of its largest scene."""
+        return max((scene.vertices for scene in self.scenes), default=0)
 
     @cached_property
     def conditions(self) -> Mapping[str, frozenset[int]]:

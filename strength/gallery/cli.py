@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from gen.scenario import render
+from gen.scenario import Scenario, render
 from judge.diagnosis.asking import Answers
 from judge.diagnosis.gallery import GALLERY, Gallery, Scene, load_gallery, load_lessons
 from judge.kit.command import Parser, add_jobs
@@ -16,9 +16,9 @@ from judge.kit.text import counted
 from judge.kit.trusted import python_command, run_trusted
 from judge.problem.declaration import Problem, load
 from judge.sandbox.sandbox import Sandbox
-from strength.gallery.choose import choose
+from strength.gallery.choose import choose, mutants_of, shortlist
 from strength.gallery.measure import Measured, faults, measure, steady_answers
-from strength.gallery.pool import candidates
+from strength.gallery.pool import TURNS, candidates, disguised
 from strength.gallery.programs import Faulty, each, faulty_submissions
 from strength.gallery.write import save_answers, save_scenes
 
@@ -53,15 +53,27 @@ def command(arguments: Sequence[str]) -> int:
 
 
 def _chosen(problem: Problem, directory: Path, sandbox: Sandbox, jobs: int) -> list[Scene]:
-    pool = candidates()
+    lessons, pool = load_lessons(directory), candidates()
     scenarios = [candidate.scenario for candidate in pool]
+    output = run_trusted(REFERENCE.name, python_command(REFERENCE), render(scenarios))
+    right = "".join(word[0] for word in output.decode().split())
+    answers = _answers(problem, scenarios, sandbox, jobs)
+    short = shortlist(pool, right, answers, lessons)
+    some = sorted({i for best in short.values() for listed in best.values() for i in listed})
+    disguises = [disguised(scenarios[i], turn) for turn in range(TURNS) for i in some]
+    mutants = mutants_of(_answers(problem, disguises, sandbox, jobs), some, right)
+    return choose(pool, right, short, mutants, lessons)
+
+
+def _answers(
+    problem: Problem, scenarios: Sequence[Scenario], sandbox: Sandbox, jobs: int
+) -> dict[str, str]:
+    """Return the answers of the wrong submissions, one letter each, where they are in step."""
     parts = [scenarios[i : i + BATCH] for i in range(0, len(scenarios), BATCH)]
     files, counts = list(map(render, parts)), list(map(len, parts))
-    outputs = [run_trusted(REFERENCE.name, python_command(REFERENCE), file) for file in files]
-    right = "".join(word[0] for output in outputs for word in output.decode().split())
     names = faulty_submissions(problem)
     answers: dict[str, str] = {}
-    with progress_bar(f"answering {counted(len(pool), 'scenario')}", len(names)) as bar:
+    with progress_bar(f"answering {counted(len(scenarios), 'scenario')}", len(names)) as bar:
 
         def answer(faulty: Faulty) -> None:
             given = faulty.answers(files, counts)
@@ -70,8 +82,7 @@ def _chosen(problem: Problem, directory: Path, sandbox: Sandbox, jobs: int) -> l
             bar.advance()
 
         each(names, problem, sandbox, jobs, answer)
-    ordered = {name: answers[name] for name in names if name in answers}
-    return choose(pool, right, ordered, load_lessons(directory))
+    return {name: answers[name] for name in names if name in answers}
 
 
 def _asked(problem: Problem, gallery: Gallery, sandbox: Sandbox, jobs: int) -> dict[str, Answers]:

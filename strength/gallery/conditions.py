@@ -15,7 +15,7 @@ from gen.scenario import Scenario
 
 BEYOND_16_BITS, BEYOND_20_BITS = 20_000, 1_000_000  # least |coordinate| of some vertex
 END = Fraction(1)
-SHORT_CONTACT = Fraction(1, 5)  # of the move
+SHORT_CONTACT = Fraction(1, 12)  # of the move
 
 
 def conditions_of(scenario: Scenario) -> frozenset[str]:
@@ -25,30 +25,40 @@ def conditions_of(scenario: Scenario) -> frozenset[str]:
         "no-obstacles": not view.obstacles,
         "every-obstacle": len(view.obstacles) > 1,
         "between-obstacles": view.free and len(view.obstacles) > 1 and not view.hull_is_free,
+        "vertical-move": scenario.move[0] == 0 and not view.still,
         "standing-still": view.still,
         "on-the-way": view.every(lambda touch: touch.first > 0 and touch.last < 1),
         "every-moment": view.every(
             lambda touch: touch.first > 0 and touch.last < min(touch.first + SHORT_CONTACT, END)
         ),
-        "bounding-shapes": view.free and any(map(view.boxes_meet, view.obstacles)),
+        "bounding-shapes": (view.free and any(map(view.boxes_meet, view.obstacles)))
+        or view.every(lambda touch: touch.boundary_only),
         "touch": view.every(lambda touch: touch.boundary_only),
         "touch-corners": view.every(lambda touch: touch.corners),
         "touch-at-start": view.every(lambda touch: touch.first == 0 and touch.starts_outside),
         "touch-at-end": view.every(lambda touch: touch.first == 1),
         "overlap-at-start": view.every(lambda touch: not touch.starts_outside),
         "robot-inside": view.every(lambda touch: touch.robot_inside),
+        "ray-through-vertex": any(map(view.is_level_with, view.obstacles)),
         "obstacle-inside": view.every(lambda touch: touch.obstacle_inside),
         "edges-cross": view.every(lambda touch: touch.no_vertex_inside),
-        "corners-of-both": view.every(lambda touch: touch.first > 0),
         "end-of-the-move": view.free and any(map(view.would_meet, view.obstacles)),
+        "edge-along-move": not view.still and view.has_edge_along_move,
         "axes-of-both": view.free and bool(view.obstacles),
         "lowest-tie": any(map(_has_level_edge, (view.swept, *view.obstacles))),
         "parallel-edges": any(map(view.has_parallel_edges, view.obstacles)),
+        "same-x": any(map(_has_vertical_edge, (view.swept, *view.obstacles))),
         "same-shape": any(map(view.is_like_robot, view.obstacles)),
         "products": view.reach > BEYOND_16_BITS,
+        "start-value": view.reach > BEYOND_20_BITS,
         "exact": view.reach > BEYOND_20_BITS,
     }
     return frozenset(lesson for lesson, holds in met.items() if holds)
+
+
+def obstacles_met(scenario: Scenario) -> int:
+    """Return how many obstacles the robot touches on its move. O(n^2 log n) for n vertices."""
+    return len(_View(scenario).touches)
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +66,7 @@ class _Touch:
     """How the robot meets one obstacle: from and to which part of the move, and where.
 
     boundary_only: sweep and obstacle share no inner point. starts_outside: the same of the
-    robot at its start. corners: a vertex of the sweep is one of the obstacle.
+    robot at its start. corners: a vertex of one is on the boundary of the other.
     no_vertex_inside: the sweep has no vertex in the obstacle, nor the reverse.
     """
 
@@ -118,6 +128,16 @@ class _View:
         reflected = [(-x, -y) for x, y in obstacle]
         return not _directions(self.swept).isdisjoint(_directions(reflected))
 
+    @property
+    def has_edge_along_move(self) -> bool:
+        """Whether an edge of the robot is parallel to its move."""
+        return any(cross(minus(b, a), self.move) == 0 for a, b in _edges(self.robot))
+
+    def is_level_with(self, obstacle: Polygon) -> bool:
+        """Tell whether a corner of the sweep has the same x or y as one of the obstacle."""
+        mine, others = zip(*self.swept, strict=True), zip(*obstacle, strict=True)
+        return any(not set(a).isdisjoint(b) for a, b in zip(mine, others, strict=True))
+
     def is_like_robot(self, obstacle: Polygon) -> bool:
         """Tell whether the obstacle is the robot at its start or end, or listed as it is."""
         at = set(obstacle) in (set(self.robot), set(self.goal))
@@ -135,7 +155,8 @@ class _View:
             last=min(last, Fraction(1)),
             boundary_only=_place(met) == 0,
             starts_outside=start <= 0,
-            corners=not set(self.swept).isdisjoint(obstacle),
+            corners=any(_place(obstacle, vertex) == 0 for vertex in self.swept)
+            or any(_place(self.swept, vertex) == 0 for vertex in obstacle),
             robot_inside=all(robot_in),
             obstacle_inside=all(obstacle_in),
             no_vertex_inside=not any(robot_in) and not any(obstacle_in),
@@ -180,6 +201,10 @@ def _directions(polygon: Polygon) -> set[Point]:
 
 def _has_level_edge(polygon: Polygon) -> bool:
     return any(a[1] == b[1] for a, b in _edges(polygon))
+
+
+def _has_vertical_edge(polygon: Polygon) -> bool:
+    return any(a[0] == b[0] for a, b in _edges(polygon))
 
 
 def _from_first(polygon: Polygon) -> Polygon:

@@ -10,7 +10,9 @@ from gen.scenario import render
 from judge.explanation import Counterexample
 from judge.kit.files import write_whole
 from judge.kit.paths import BUILD
+from judge.problem.verdict import Verdict
 from pictures.explain import explain_picture
+from pictures.special import special_facts
 from pictures.words import sentence
 from stress.running.trial import Trial
 
@@ -44,6 +46,8 @@ def counterexample(
         file=file,
         seconds=seconds,
         steps=steps,
+        in_step=trial.in_step or trial.verdict is not Verdict.WA,
+        special=special_facts(scenario),
     )
 
 

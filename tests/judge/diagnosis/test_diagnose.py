@@ -1,9 +1,11 @@
 """A diagnosis at the end of a judging: what is left, and what a failure of it costs."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from judge.compare import Mismatch
 from judge.decide import Judgement
 from judge.diagnosis.diagnose import after_example, diagnose, what_is_left
 from judge.diagnosis.gallery import GalleryError, load_gallery
@@ -18,9 +20,11 @@ from judge.results import CaseResult
 from judge.run import Attempt
 from judge.sandbox.facts import Facts, RunLimits
 from judge.sandbox.sandbox import SandboxError
+from strength.gallery.pool import MOST_VERTICES
 
 PROBLEM = load()
 LIMITS = RunLimits(5.0, 512, 8)
+PASSES = Diagnosis((), None, "It answers all. Look for overflow.", 135, 0)
 
 
 def result(group, verdict):
@@ -49,8 +53,8 @@ def test_only_wrong_answers_and_crashes_are_diagnosed():
     assert diagnose(load_gallery(), attempts, LIMITS, PROBLEM, cases) is None
 
 
-def test_a_right_program_on_the_gallery_is_told_what_is_left():
-    gallery = load_gallery()
+def right_answers(gallery):
+    """Return attempts of a program that answers the gallery correctly."""
     answers = gallery.expected + "".join(gallery.expected[i] for i in gallery.echoes)
     output = "\n".join("YES" if letter == "Y" else "NO" for letter in answers).encode()
 
@@ -59,7 +63,13 @@ def test_a_right_program_on_the_gallery_is_told_what_is_left():
             facts = Facts(0, None, 0.1, 0.1, 9.0, len(output), None)
             yield Attempt(facts, output, Judgement(Verdict.AC))
 
-    found = diagnose(gallery, attempts, LIMITS, PROBLEM, [result("large", Verdict.WA)])
+    return attempts
+
+
+def test_a_right_program_on_the_gallery_is_told_what_is_left():
+    gallery = load_gallery()
+    cases = [result("large", Verdict.WA)]
+    found = diagnose(gallery, right_answers(gallery), LIMITS, PROBLEM, cases)
     assert found.lessons == ()
     assert "fails on large files only" in found.remark
 
@@ -97,16 +107,63 @@ def test_a_counterexample_tells_32_bits_from_rounding():
     assert [lesson.id for lesson in seen.lessons] == ["products", "exact"]
     assert "23,435" in seen.remark
     assert after_example(gallery, found, example(50_000_000)) == found
+    start = MissedLesson("start-value", "Begin beyond all values.", ("start-value-1",))
+    seen = after_example(gallery, replace(found, lessons=(start, exact)), example(23_435))
+    assert [lesson.id for lesson in seen.lessons] == ["products", "start-value", "exact"]
     touch = Diagnosis((MissedLesson("touch", "Touch.", ()),), None, "", 135, 1)
     assert after_example(gallery, touch, example(23_435)) == touch
 
 
 def test_a_small_counterexample_is_no_overflow():
     gallery = load_gallery()
-    passes = Diagnosis((), None, "It answers all. Look for overflow.", 135, 0)
-    assert "it is no overflow" in after_example(gallery, passes, example(3)).remark
+    assert "it is no overflow" in after_example(gallery, PASSES, example(3)).remark
     fails = Diagnosis((), None, "It answers none.", 135, 135)
     assert after_example(gallery, fails, example(3)) == fails
+
+
+def test_what_is_special_in_a_small_counterexample_is_said():
+    facts = ("the move is vertical (dx = 0)", "the robot touches 2 obstacles")
+    seen = after_example(load_gallery(), PASSES, replace(example(3), special=facts))
+    assert seen.remark.endswith(f" In it, {facts[0]}; {facts[1]}.")
+    assert seen.lessons == ()
+
+
+def test_a_counterexample_with_more_vertices_than_all_scenes_points_at_limits():
+    gallery = load_gallery()
+    most = gallery.most_vertices
+    assert most == MOST_VERTICES
+    for vertices, said in ((most, False), (most + 1, True)):
+        seen = after_example(gallery, PASSES, replace(example(3), vertices=vertices))
+        assert ("limit on steps" in seen.remark) == said
+
+
+def test_tiny_polygons_that_need_large_numbers_are_rounding():
+    gallery = load_gallery()
+    seen = after_example(gallery, PASSES, example(50_000_000))
+    assert [lesson.id for lesson in seen.lessons] == ["exact"]
+    assert "50,000,000" in seen.remark
+    large = replace(example(50_000_000), vertices=100_000)
+    assert after_example(gallery, PASSES, large) == PASSES
+
+
+def test_a_counterexample_with_too_many_words_says_that_each_scenario_gets_one_line():
+    gallery = load_gallery()
+    twice = replace(example(3), found="2 words for 1 scenario, at the end NO NO", in_step=False)
+    seen = after_example(gallery, PASSES, twice)
+    assert [lesson.id for lesson in seen.lessons] == ["one-line-each"]
+    assert "overflow" not in seen.remark
+    touch = Diagnosis((MissedLesson("touch", "Touch.", ()),), None, "", 135, 1)
+    seen = after_example(gallery, touch, twice)
+    assert [lesson.id for lesson in seen.lessons] == ["touch", "one-line-each"]
+    assert after_example(gallery, seen, twice) == seen
+
+
+@pytest.mark.parametrize(("expected", "found"), [(None, "NO"), ("YES", None)])
+def test_a_case_with_too_much_or_too_little_output_says_so_too(expected, found):
+    gallery = load_gallery()
+    wrong = replace(result("large", Verdict.WA), mismatch=Mismatch(9, 9, 1, expected, found))
+    diagnosis = diagnose(gallery, right_answers(gallery), LIMITS, PROBLEM, [wrong])
+    assert [lesson.id for lesson in diagnosis.lessons] == ["one-line-each"]
 
 
 def test_a_wrong_answer_file_of_a_user_is_said(tmp_path):

@@ -6,6 +6,7 @@ import pytest
 
 from gen.scenario import parse
 from gen.validator import load_rules, validate
+from judge.diagnosis.diagnose import read
 from judge.diagnosis.gallery import (
     GALLERY,
     NO,
@@ -23,7 +24,8 @@ from judge.kit.paths import BRUTE_FORCE, REFERENCE
 from judge.kit.trusted import python_command, read_answers, run_trusted
 from judge.problem.declaration import load
 from judge.sandbox.sandbox import Sandbox
-from strength.gallery.conditions import conditions_of
+from strength.gallery.choose import TWO_HIT
+from strength.gallery.conditions import conditions_of, obstacles_met
 from strength.gallery.measure import faults, measure, steady_answers
 from strength.gallery.pool import MOST_OBSTACLES, MOST_VERTICES, remade
 from strength.gallery.programs import each, faulty_submissions
@@ -34,8 +36,13 @@ PROBLEM = load()
 SOME = (
     "wrong_answer/strict_touch.py",
     "wrong_answer/answer_kept.py",
+    "wrong_answer/no_for_each_hit.py",
     "run_time_error/exit_code_3.py",
 )
+OUT_OF_STEP = {
+    "wrong_answer/no_for_each_hit.py": "one-line-each",
+    "run_time_error/exit_code_3.py": "exit-status",
+}
 # What no tiny scenario can catch: they fail with large polygons only.
 LARGE_ONLY = {
     "run_time_error/array_too_small.cpp",
@@ -64,7 +71,13 @@ def test_every_scene_is_valid_and_tiny():
         assert len(scenario.obstacles) <= MOST_OBSTACLES, scene.name
         assert scenario.vertices <= MOST_VERTICES, scene.name
         assert scene.obstacles == len(scenario.obstacles)
+        assert scene.vertices == scenario.vertices
         assert scene.matters == conditions_of(scenario) & SHIPPED.lessons.keys(), scene.name
+
+
+def test_some_scenes_have_two_obstacles_that_are_both_touched():
+    scenarios = parse(input_file(SHIPPED.scenes))
+    assert sum(obstacles_met(scenario) > 1 for scenario in scenarios) >= TWO_HIT
 
 
 @pytest.mark.parametrize("solver", [REFERENCE, BRUTE_FORCE], ids=lambda path: path.name)
@@ -100,6 +113,8 @@ def test_known_answers_are_current():
     steady = steady_answers(answers)
     assert steady == {n: SHIPPED.known[n] for n in SOME if n in SHIPPED.known}
     assert set(steady) == {"wrong_answer/strict_touch.py"}
+    for name, lesson in OUT_OF_STEP.items():
+        assert [one.id for one in read(SHIPPED, answers[name]).lessons] == [lesson]
 
 
 @pytest.mark.slow
@@ -166,16 +181,24 @@ def test_a_lesson_whose_condition_all_wrong_scenes_meet_comes_before_one_where_s
 @pytest.mark.parametrize(
     ("text", "lessons"),
     [
-        ("3 0 0 0 0 0 1 0 0 1", {"no-obstacles", "standing-still", "lowest-tie"}),
+        ("3 0 0 0 0 0 1 0 0 1", {"no-obstacles", "standing-still", "lowest-tie", "same-x"}),
         # the robot's right corner runs against the middle of an upright edge, at the very end
         (
             "3 1 2 0 0 0 2 1 0 2 3 4 -1 6 0 4 3",
-            {"touch", "touch-at-end", "corners-of-both", "lowest-tie"},
+            {
+                *("touch", "touch-at-end", "touch-corners", "bounding-shapes"),
+                *("lowest-tie", "same-x", "ray-through-vertex"),
+            },
         ),
         # a small robot inside a large triangle
         (
             "3 1 0 0 1 1 2 1 1 2 3 0 0 9 0 0 9",
-            {"standing-still", "overlap-at-start", "robot-inside", "lowest-tie"},
+            {"standing-still", "overlap-at-start", "robot-inside", "lowest-tie", "same-x"},
+        ),
+        # straight down, far from a triangle without vertical or level edges
+        (
+            "3 1 0 5 0 0 1 0 0 1 3 9 9 11 10 10 12",
+            {"vertical-move", "edge-along-move", "axes-of-both", "lowest-tie", "same-x"},
         ),
     ],
 )
