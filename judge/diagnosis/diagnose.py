@@ -180,7 +180,7 @@ def _on_small(gallery: Gallery, example: Counterexample) -> str:
             f" It has {example.vertices} vertices, more than any gallery scene: look at what "
             "depends on the number of vertices, such as a limit on steps or the size of an array."
         )
-    if example.special:
+    elif example.special:
         said += f" In it, {'; '.join(example.special)}."
     return said
 

@@ -32,6 +32,7 @@ from judge.reports.words import (
 from judge.results import CaseResult, Judging
 
 FEW_SCENES = 5
+REMARK = 600  # characters: it may name some coordinates
 FEW_LESSONS = 3
 TITLE = "bold"
 
@@ -111,7 +112,7 @@ def _diagnosis_lines(diagnosis: Diagnosis, *, explain: bool) -> Iterator[str | T
         yield Text(f"  ({more} more: --explain)", style="dim")
     if lessons and any(lesson.scenes for lesson in lessons):
         yield Text(f"  {wrong_scenes(diagnosis)}", style="dim")
-    for sentence in (like_sentence(diagnosis), printable_name(diagnosis.remark)):
+    for sentence in (like_sentence(diagnosis), printable_name(diagnosis.remark, REMARK)):
         if sentence:
             yield f"  {sentence}" if lessons else sentence
 

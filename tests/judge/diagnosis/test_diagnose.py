@@ -133,8 +133,10 @@ def test_a_counterexample_with_more_vertices_than_all_scenes_points_at_limits():
     most = gallery.most_vertices
     assert most == MOST_VERTICES
     for vertices, said in ((most, False), (most + 1, True)):
-        seen = after_example(gallery, PASSES, replace(example(3), vertices=vertices))
+        found = replace(example(3), vertices=vertices, special=("the move is vertical",))
+        seen = after_example(gallery, PASSES, found)
         assert ("limit on steps" in seen.remark) == said
+        assert ("the move is vertical" in seen.remark) != said
 
 
 def test_tiny_polygons_that_need_large_numbers_are_rounding():
