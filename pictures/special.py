@@ -43,6 +43,8 @@ def special_facts(scenario: Scenario) -> tuple[str, ...]:
     if not scenario.obstacles:
         return ("there is no obstacle (k = 0)",)
     swept = sweep(scenario.robot, scenario.move).vertices
+    if telling := next(_of_place(scenario, swept), None):
+        return (telling,)  # beside it, lines and coordinates that agree are chance
     named = _Named("the robot" if scenario.move == (0, 0) else "the swept area", swept)
     kinds = [_of_move(scenario), _of_contact(scenario, swept), _along_move(scenario)]
     kinds += [
@@ -84,6 +86,28 @@ def _of_contact(scenario: Scenario, swept: Polygon) -> Iterator[str]:
         yield f"{name} is wholly inside the robot from the start, so no edges cross there"
     elif len(overlap(swept, scenario.obstacles[touch.obstacle])) <= POINTS_OF_EDGE:
         yield f"the robot only touches {name}, {MEETINGS[touch.kind]}"
+
+
+def _of_place(scenario: Scenario, swept: Polygon) -> Iterator[str]:
+    """Yield how a shape lies that tests of corners or of edges alone miss."""
+    dx, dy = scenario.move
+    end = [(x + dx, y + dy) for x, y in scenario.robot]
+    robot = "the robot" if scenario.move == (0, 0) else "the swept area"
+    for number, obstacle in enumerate(scenario.obstacles, 1):
+        inside = all(_is_strictly_inside(vertex, swept) for vertex in obstacle)
+        if inside and not overlap(scenario.robot, obstacle) and not overlap(end, obstacle):
+            yield (
+                f"obstacle {number} lies wholly inside the swept area, and the robot touches it "
+                "neither at the start nor at the end"
+            )
+        shared = overlap(swept, obstacle)
+        corners = {*swept, *obstacle}
+        if len(shared) > POINTS_OF_EDGE and corners.isdisjoint(shared):
+            yield f"{robot} and obstacle {number} cross, and no corner of either lies in the other"
+
+
+def _is_strictly_inside(point: Point, polygon: Polygon) -> bool:
+    return all(cross(minus(b, a), minus(point, a)) > 0 for a, b in _edges(polygon))
 
 
 def _along_move(scenario: Scenario) -> Iterator[str]:

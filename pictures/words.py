@@ -38,6 +38,8 @@ def _contact(scenario: Scenario, contact: Contact) -> str:
     name = f"obstacle {contact.obstacle + 1}"
     robot, feature = part(contact.robot), part(contact.feature)
     match contact.kind:
+        case Kind.ROBOT_INSIDE if {*scenario.robot} == {*scenario.obstacles[contact.obstacle]}:
+            return f"The robot stands exactly where {name} is, from the start."
         case Kind.ROBOT_INSIDE:
             return f"The robot stands inside {name} from the start."
         case Kind.OBSTACLE_INSIDE:
@@ -52,13 +54,25 @@ def _contact(scenario: Scenario, contact: Contact) -> str:
                 f"The robot's {robot} crosses the {feature} of {name} from the start, at {point}."
             )
     its = f"the {feature} of {name}"
-    if contact.kind in (Kind.CORNER_EDGE, Kind.EDGE_EDGE):
+    if contact.kind is Kind.CORNER_EDGE:
         its += f", at the point {place(contact.point)}"
+    if contact.kind is Kind.EDGE_EDGE:
+        first, last = shared_by_edges(scenario, contact)
+        its += f", all along from {place(first)} to {place(last)}"
     if scenario.move == (0, 0):
         return f"The robot does not move, and its {robot} touches {its}."
     if contact.time > 0:
         robot = part(contact.robot, "that started at ")
     return f"{_when(contact.time)}, the robot's {robot} touches {its}."
+
+
+def shared_by_edges(scenario: Scenario, contact: Contact) -> tuple[ExactPoint, ExactPoint]:
+    """Return the ends of what two edges in contact share, which lie on one line."""
+    dx, dy = scenario.move
+    moved = [(x + contact.time * dx, y + contact.time * dy) for x, y in contact.robot]
+    fixed = [(Fraction(x), Fraction(y)) for x, y in contact.feature]
+    _, first, last, _ = sorted([*moved, *fixed])
+    return first, last
 
 
 def _approach(scenario: Scenario, approach: Approach) -> str:

@@ -123,8 +123,9 @@ def what_is_left(problem: Problem, cases: Sequence[CaseResult]) -> str:
         return f"{KNOWS} It crashes on larger files: look at array sizes and recursion {sizes}."
     if any(result.case.group in small for result in failed):
         return (
-            f"{KNOWS} It fails on small files, too: look for rounding or overflow (coordinates go "
-            f"up to {bounds.max_coordinate:,}) and for rare positions."
+            f"{KNOWS} It fails on small files, too: look for rare positions, or, if the numbers in "
+            f"them are large, for rounding and overflow (coordinates go up to "
+            f"{bounds.max_coordinate:,})."
         )
     return f"{KNOWS} It fails on large files only: look at fixed sizes and limits on steps {sizes}."
 

@@ -35,6 +35,19 @@ def facts(text):
         ),
         ("3 2 0 0 0 0 9 1 1 9 3 1 1 2 1 1 2 3 5 3 6 3 5 4", "the robot touches 2 obstacles"),
         (
+            "4 1 9 0 0 0 1 0 1 3 0 3 3 5 1 6 1 5 2",
+            "obstacle 1 lies wholly inside the swept area, and the robot touches it neither at "
+            "the start nor at the end",
+        ),
+        (
+            "4 1 0 0 0 1 9 1 9 2 0 2 4 4 0 5 0 5 9 4 9",
+            "the robot and obstacle 1 cross, and no corner of either lies in the other",
+        ),
+        (
+            "4 1 1 0 0 1 9 1 9 2 0 2 4 4 0 5 0 5 9 4 9",
+            "the swept area and obstacle 1 cross, and no corner of either lies in the other",
+        ),
+        (
             "3 1 0 0 -1 0 1 1 0 1 3 0 -1 1 0 0 0",
             "no edge of obstacle 1 separates the two, "
             "but the edge (-1, 0)–(1, 1) of the robot does",

@@ -36,7 +36,7 @@ def result(group, verdict):
     ("results", "words"),
     [
         ([("small", Verdict.RTE), ("large", Verdict.RTE)], "crashes on larger files"),
-        ([("small", Verdict.WA), ("large", Verdict.RTE)], "look for rounding or overflow"),
+        ([("small", Verdict.WA), ("large", Verdict.RTE)], "look for rare positions"),
         ([("mine", Verdict.WA)], "gallery correctly."),
         ([("small", Verdict.AC), ("large", Verdict.WA)], "fails on large files only"),
     ],
