@@ -231,7 +231,9 @@ def kit(tmp_path: Path) -> Path:
     ignored = shutil.ignore_patterns("large", "many", "__pycache__")
     for folder in ("gen", "judge", "data", "submissions/accepted", "tests/gen"):
         shutil.copytree(ROOT / folder, copy / folder, ignore=ignored)
-    for file in ("problem.toml", "pyproject.toml", "solution.py", "brute.py", "tests/conftest.py"):
+    for file in (".gitignore", "problem.toml", "pyproject.toml", "solution.py", "brute.py"):
+        shutil.copy(ROOT / file, copy / file)
+    for file in ("tests/conftest.py", "tests/compiled.py"):
         shutil.copy(ROOT / file, copy / file)
     return copy
 

@@ -5,10 +5,8 @@ import pytest
 
 from judge.kept import KeptVerdicts
 from judge.kit.paths import DATA, SUBMISSIONS
-from judge.kit.processors import processors
 from judge.kit.store import Store
 from judge.languages.submission import read_submission
-from judge.machine import scale_of
 from judge.problem.cases import Case
 from judge.problem.compact import compact_cases
 from judge.problem.data import load_data
@@ -16,12 +14,11 @@ from judge.problem.declaration import load
 from judge.problem.manifest import Entry, FileSum
 from judge.problem.verdict import Verdict
 from judge.sandbox.facts import RunLimits
-from judge.sandbox.sandbox import Sandbox
 from strength.analysis import FEWEST_KILLS
 from strength.compact.choose import Demand, choose, cover, kills
 from strength.compact.show import weak
 from strength.compact.slow import further_runs
-from strength.table import Matrix, Row, build
+from strength.table import Matrix, Row
 
 PROBLEM = load()
 AC, WA, TLE = Verdict.AC, Verdict.WA, Verdict.TLE
@@ -142,28 +139,6 @@ def test_the_selection_keeps_the_declared_kills_that_are_known(kept):
                 killers = {name for name in here if row.verdicts[name] is not AC}
                 enough = min(FEWEST_KILLS, len(killers))
                 assert len(killers & names) >= enough, (row.submission, group)
-
-
-@pytest.mark.slow
-def test_the_selection_meets_every_demand_of_the_whole_matrix():
-    """Judges what is not kept: an hour if nothing is."""
-    with Store() as store, Sandbox() as sandbox:
-        data = load_data(PROBLEM, store=store)
-        scale = scale_of(PROBLEM, sandbox)
-        matrix = build(
-            list(PROBLEM.submissions),
-            data,
-            PROBLEM,
-            sandbox,
-            store,
-            scale=scale,
-            jobs=processors(),
-            further=further_runs(data, PROBLEM),
-        )
-    names = {case.name for case in compact_cases(DATA, data.all)}
-    for group in PROBLEM.group_names:
-        for found in kills(matrix, PROBLEM, group):
-            assert len(found.cases & names) >= found.need, (found.submission, group)
 
 
 def test_the_selection_has_the_samples_and_is_small(kept):

@@ -18,11 +18,13 @@ LARGE = {
 # What needs large numbers: it rounds, or overflows.
 LONG = {
     "wrong_answer/angles_by_atan2.py",
+    "wrong_answer/axes_in_doubles.cpp",
     "wrong_answer/directions_by_slope.cpp",
     "wrong_answer/directions_in_doubles.cpp",
     "wrong_answer/distance_with_eps.cpp",
     "wrong_answer/doubles.cpp",
     "wrong_answer/doubles_with_eps.py",
+    "wrong_answer/infinity_too_small.cpp",
     "wrong_answer/int32_products.cpp",
     "wrong_answer/int32_turn_of_edges.cpp",
     "wrong_answer/intersection_points.py",

@@ -53,7 +53,7 @@ def test_the_scene_of_a_lesson_is_drawn_and_kept(tmp_path):
     told = illustrated(Diagnosis(lessons, None, "", 9, 1))
     assert told.lessons[1] == lessons[1]
     drawn = told.lessons[0].scene
-    assert drawn.sentence.startswith("The robot stands inside obstacle 1")
+    assert drawn.sentence.startswith("The robot stands exactly where obstacle 1 is")
     assert drawn.file == tmp_path / "kept" / "scene-touch-1.in"
     assert drawn.file.read_text() == content
     assert drawn.file.with_suffix(".svg").read_text() == drawn.picture
