@@ -15,6 +15,13 @@ from judge.problem.verdict import Verdict
 LANGUAGE = "en"
 # The format's names of licenses; its versions are not told apart.
 LICENSES = {"CC BY-SA 4.0": "cc by-sa"}
+# The format's folder of submissions for each verdict that it knows.
+FOLDERS = {
+    Verdict.AC: "accepted",
+    Verdict.WA: "wrong_answer",
+    Verdict.TLE: "time_limit_exceeded",
+    Verdict.RTE: "run_time_error",
+}
 # What judges with four verdicts say for the others.
 COARSE = {Verdict.MLE: Verdict.RTE, Verdict.OLE: Verdict.RTE}
 
@@ -64,6 +71,12 @@ def coarse(verdicts: frozenset[Verdict]) -> frozenset[Verdict]:
 def runnable(package: Package) -> tuple[Submission, ...]:
     """Return the submissions that compile: the formats expect no compile errors."""
     return tuple(each for each in package.submissions if each.overall != {Verdict.CE})
+
+
+def folder(submission: Submission) -> str | None:
+    """Return the folder for a submission; None if several verdicts are permitted."""
+    verdicts = coarse(submission.overall)
+    return FOLDERS[next(iter(verdicts))] if len(verdicts) == 1 else None
 
 
 def in_order(verdicts: Collection[Verdict]) -> list[str]:

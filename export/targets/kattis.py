@@ -14,14 +14,7 @@ from export.formats.validators import GROUP_OPTION, input_validator
 from export.formats.yaml import as_yaml
 from export.package import ACCEPTED, Package, Submission
 from export.target import Target
-from judge.problem.verdict import Verdict
 
-FOLDERS = {
-    Verdict.AC: "accepted",
-    Verdict.WA: "wrong_answer",
-    Verdict.TLE: "time_limit_exceeded",
-    Verdict.RTE: "run_time_error",
-}
 VALIDATOR = "validate_input"
 
 
@@ -99,12 +92,9 @@ def _folder(package: Package, submission: Submission, *, points: bool) -> str | 
 
     The format knows one verdict for each submission, the first that is not AC.
     """
-    if submission.overall == ACCEPTED:
-        return FOLDERS[Verdict.AC]
-    if points and package.points(submission):
+    if points and submission.overall != ACCEPTED and package.points(submission):
         return "partially_accepted"
-    verdicts = layout.coarse(submission.overall)
-    return FOLDERS[next(iter(verdicts))] if len(verdicts) == 1 else None
+    return layout.folder(submission)
 
 
 TARGETS = (

@@ -100,15 +100,7 @@ def _add_invalid_inputs(files: Files, package: Package) -> None:
 
 def _folder(submission: Submission) -> str:
     """Return the folder: the format has one for verdicts that are not certain, too."""
-    verdicts = layout.coarse(submission.overall)
-    if len(verdicts) > 1:
-        return "rejected"
-    return {
-        Verdict.AC: "accepted",
-        Verdict.WA: "wrong_answer",
-        Verdict.TLE: "time_limit_exceeded",
-        Verdict.RTE: "run_time_error",
-    }[next(iter(verdicts))]
+    return layout.folder(submission) or "rejected"
 
 
 def _expectations(package: Package) -> dict[str, Any]:

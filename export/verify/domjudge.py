@@ -17,8 +17,7 @@ import msgspec
 
 from export.formats import layout
 from export.package import load_package
-from export.verify.job import Job
-from judge.kit.errors import KitError
+from export.verify.job import Job, VerifyError
 from judge.problem.declaration import load
 from judge.problem.verdict import Verdict
 
@@ -40,10 +39,6 @@ WORDS = {
     Verdict.RTE: "RUN-ERROR",
     Verdict.CE: "COMPILER-ERROR",
 }
-
-
-class DomjudgeError(KitError):
-    """DOMjudge's importer cannot run here, or does not read what was written."""
 
 
 class Messages(msgspec.Struct):
@@ -124,17 +119,17 @@ def checkout() -> Path:
 def verify(package: Path, scratch: Path, domjudge: Path) -> list[str]:
     """Import a zip; return what DOMjudge then holds, in a few lines.
 
-    scratch: an empty directory. domjudge: a checkout. Raises DomjudgeError with every warning of
+    scratch: an empty directory. domjudge: a checkout. Raises VerifyError with every warning of
     the importer, and with everything that is not as in the package.
     """
     found = read_back(package, scratch, domjudge)
     faults = [*found.messages.danger, *found.messages.warning]
     if found.problem is None:
-        raise DomjudgeError(f"{package.name}: refused: {'; '.join(faults)}")
+        raise VerifyError(f"{package.name}: refused: {'; '.join(faults)}")
     faults += [*_problem_faults(found.problem), *_case_faults(found.problem, package)]
     faults += _submission_faults(found.submissions)
     if faults:
-        raise DomjudgeError(f"{package.name}: {'; '.join(faults)}")
+        raise VerifyError(f"{package.name}: {'; '.join(faults)}")
     cases = found.problem.test_cases
     samples = sum(case.sample for case in cases)
     return [
@@ -149,17 +144,17 @@ def verify(package: Path, scratch: Path, domjudge: Path) -> list[str]:
 
 
 def read_back(package: Path, scratch: Path, domjudge: Path) -> Imported:
-    """Let DOMjudge's importer read a zip. Raises DomjudgeError if it fails."""
+    """Let DOMjudge's importer read a zip. Raises VerifyError if it fails."""
     command = ["php", "-d", MEMORY, *map(str, (HARNESS, domjudge, package, scratch))]
     try:
         done = subprocess.run(command, capture_output=True, timeout=TIMEOUT_S, check=False)
     except (OSError, subprocess.TimeoutExpired) as error:
-        raise DomjudgeError(f"php: {error}") from None
+        raise VerifyError(f"php: {error}") from None
     try:
         return msgspec.json.decode(done.stdout, type=Imported)
     except msgspec.DecodeError:
         said = (done.stderr + done.stdout).decode(errors="replace").strip().partition("\n")[0]
-        raise DomjudgeError(f"php: {said or f'exit status {done.returncode}'}") from None
+        raise VerifyError(f"php: {said or f'exit status {done.returncode}'}") from None
 
 
 def _problem_faults(found: ImportedProblem) -> Iterator[str]:

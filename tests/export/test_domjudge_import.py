@@ -13,7 +13,8 @@ import pytest
 from export.package import load_package
 from export.targets import TARGETS
 from export.verify import domjudge
-from export.verify.domjudge import CHECKOUT, HARNESS, DomjudgeError, missing, read_back, verify
+from export.verify.domjudge import CHECKOUT, HARNESS, missing, read_back, verify
+from export.verify.job import VerifyError
 
 needs_domjudge = pytest.mark.skipif(bool(missing()), reason=missing() or "it is here")
 
@@ -77,7 +78,7 @@ def test_faults_of_a_package_are_told(
     package: Path, tmp_path: Path, checkout: Path, name: str, old: bytes, new: bytes, message: str
 ) -> None:
     wrong = changed(package, tmp_path / "collisioncourse.zip", name, old, new)
-    with pytest.raises(DomjudgeError, match=message):
+    with pytest.raises(VerifyError, match=message):
         verify(wrong, tmp_path, checkout)
 
 
@@ -113,5 +114,5 @@ def test_a_crash_of_php_is_one_line(monkeypatch: pytest.MonkeyPatch, tmp_path: P
         return subprocess.CompletedProcess(command, 255, b"", b"PHP Fatal error: x\nStack trace\n")
 
     monkeypatch.setattr(domjudge.subprocess, "run", crash)
-    with pytest.raises(DomjudgeError, match=r"^php: PHP Fatal error: x$"):
+    with pytest.raises(VerifyError, match=r"^php: PHP Fatal error: x$"):
         read_back(tmp_path / "a.zip", tmp_path, tmp_path)
